@@ -24,9 +24,7 @@ struct StereoCamera {
   double baseline = 0.0;  // m, above 0
 
   // u_left - u_right of a point at infinity subtracted: fx * baseline / depth, px.
-  double disparity(const StereoPoint& point) const {
-    return (point.u_left - cx_left) - (point.u_right - cx_right);
-  }
+  double disparity(const StereoPoint& point) const { return (point.u_left - cx_left) - (point.u_right - cx_right); }
 };
 
 // The images of `p_C` (m); nothing for a point that is not in front of the lenses (y <= 0).

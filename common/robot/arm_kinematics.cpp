@@ -18,21 +18,25 @@ Eigen::Isometry3d arm_base_pose(const ArmDescription& arm) {
   return X_CA;
 }
 
-Eigen::Vector3d grip_point(const ArmDescription& arm, const JointVector& q) { return grip_pose(arm, q).translation(); }
+Eigen::Vector3d grip_point(const ArmDescription& arm, const JointVector& q) {
+  return grip_pose(arm, q).translation();
+}
 
 Eigen::Isometry3d grip_pose(const ArmDescription& arm, const JointVector& q) {
   const double forearm_pitch = q[1] + q[2];
   const double radius = arm.upper_arm * std::cos(q[1]) + arm.forearm * std::cos(forearm_pitch);
   const double height = arm.column + arm.upper_arm * std::sin(q[1]) + arm.forearm * std::sin(forearm_pitch);
   Eigen::Isometry3d X_AG = Eigen::Isometry3d::Identity();
-  X_AG.linear() = (Eigen::AngleAxisd(q[0], Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(forearm_pitch, Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
+  X_AG.linear() =
+      (Eigen::AngleAxisd(q[0], Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(forearm_pitch, Eigen::Vector3d::UnitX()))
+          .toRotationMatrix();
   X_AG.translation() << -radius * std::sin(q[0]), radius * std::cos(q[0]), height;
   return arm_base_pose(arm) * X_AG;
 }
 
-Eigen::Vector3d hand_mark(const ArmDescription& arm, const JointVector& q) { return grip_pose(arm, q) * arm.p_GM; }
+Eigen::Vector3d hand_mark(const ArmDescription& arm, const JointVector& q) {
+  return grip_pose(arm, q) * arm.p_GM;
+}
 
 Eigen::Isometry3d hand_mark_pose(const ArmDescription& arm, const JointVector& q) {
   Eigen::Isometry3d X_GM = Eigen::Isometry3d::Identity();
@@ -76,8 +80,7 @@ InverseKinematics inverse_kinematics(const ArmDescription& arm, const Eigen::Vec
     return result;
   }
   const double elbow = -std::acos(cos_elbow);
-  const double shoulder =
-      std::atan2(height, radius) - std::atan2(l2 * std::sin(elbow), l1 + l2 * std::cos(elbow));
+  const double shoulder = std::atan2(height, radius) - std::atan2(l2 * std::sin(elbow), l1 + l2 * std::cos(elbow));
   const double yaw = std::atan2(-p_AG.x(), p_AG.y());
   result.q << yaw, shoulder, elbow;
   if (!inside(arm.joints[0], yaw, margin)) {

@@ -33,9 +33,9 @@ Eigen::Matrix3d grip_point_jacobian(const ArmDescription& arm, const JointVector
 // Why inverse kinematics has no answer.
 enum class ReachStatus {
   kReachable,
-  kTooFar,       // beyond the stretched arm less its margin
-  kTooClose,     // inside the folded arm
-  kYawLimit,     // joint limits less the margin
+  kTooFar,    // beyond the stretched arm less its margin
+  kTooClose,  // inside the folded arm
+  kYawLimit,  // joint limits less the margin
   kShoulderLimit,
   kElbowLimit,
 };

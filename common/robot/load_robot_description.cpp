@@ -8,7 +8,9 @@
 namespace markservo::robot {
 namespace {
 
-double radians(double degrees) { return degrees * M_PI / 180.0; }
+double radians(double degrees) {
+  return degrees * M_PI / 180.0;
+}
 
 // A mark smaller or larger than this is a slip of units.
 const Allowed kMarkSize = Allowed::between(0.001, 2.0);
@@ -64,7 +66,8 @@ ArmDescription load_arm(YamlSection section) {
   if (joints.size() != kNumJoints) {
     section.fail("joints", "a list of " + std::to_string(joints.size()), "3 joints: yaw, shoulder, elbow");
   }
-  for (int i = 0; i < kNumJoints; ++i) arm.joints[static_cast<std::size_t>(i)] = load_joint(joints[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < kNumJoints; ++i)
+    arm.joints[static_cast<std::size_t>(i)] = load_joint(joints[static_cast<std::size_t>(i)]);
   const Eigen::Vector3d home_deg = section.numbers("home_deg", kNumJoints, Allowed::between(-360.0, 360.0));
   for (int i = 0; i < kNumJoints; ++i) {
     const JointDescription& joint = arm.joints[static_cast<std::size_t>(i)];
@@ -116,7 +119,7 @@ MarkDescription load_mark(YamlSection section) {
 }
 
 std::vector<MarkDescription> load_marks(YamlSection& root) {
-  constexpr std::size_t kMaxMarks = 8;       // a byte of mask bits; TARGET_POSE fits one packet
+  constexpr std::size_t kMaxMarks = 8;        // a byte of mask bits; TARGET_POSE fits one packet
   constexpr std::size_t kMaxNameLength = 32;  // likewise
   std::vector<MarkDescription> marks;
   std::set<std::string> names;

@@ -46,14 +46,14 @@ struct ArmDescription {
   std::array<JointDescription, kNumJoints> joints;
   JointVector home = JointVector::Zero();          // rad
   Eigen::Vector3d p_GM = Eigen::Vector3d::Zero();  // m, hand mark from G: x right, y along the forearm, z across and up
-  double hand_mark_tilt = 0.0;                     // rad, hand mark turned down about x against the forearm's cross plane
+  double hand_mark_tilt = 0.0;  // rad, hand mark turned down about x against the forearm's cross plane
   GripperDescription gripper;
 };
 
 // A colour interval in hue, saturation and value. Hue wraps: from 345 to 15 degrees is red.
 struct ColourInterval {
-  double hue_min_deg = 0.0;  // [0, 360)
-  double hue_max_deg = 0.0;  // [0, 360)
+  double hue_min_deg = 0.0;     // [0, 360)
+  double hue_max_deg = 0.0;     // [0, 360)
   double saturation_min = 0.0;  // [0, 1]
   double saturation_max = 1.0;
   double value_min = 0.0;  // [0, 1]

@@ -73,7 +73,8 @@ GripJudgement judge_grip(const RobotDescription& robot, const MarkDescription& t
 
   const double room = finger_room(arm, *target.grip, ik.q);
   if (room < robot.workspace.finger_clearance) {
-    return {GripVerdict::kUnreachable, "the fingers have " + millimetres(room) + " of room between the books, less than " +
+    return {GripVerdict::kUnreachable, "the fingers have " + millimetres(room) +
+                                           " of room between the books, less than " +
                                            millimetres(robot.workspace.finger_clearance)};
   }
 

@@ -55,13 +55,17 @@ YamlSection YamlSection::load(const std::string& path) {
   return {path, "", root};
 }
 
-std::string YamlSection::full(const std::string& key) const { return prefix_.empty() ? key : prefix_ + "." + key; }
+std::string YamlSection::full(const std::string& key) const {
+  return prefix_.empty() ? key : prefix_ + "." + key;
+}
 
 void YamlSection::fail(const std::string& key, const std::string& value, const std::string& allowed) const {
   throw ConfigurationError(path_ + ": key '" + full(key) + "' is " + value + "; allowed: " + allowed);
 }
 
-bool YamlSection::has(const std::string& key) const { return node_[key].IsDefined(); }
+bool YamlSection::has(const std::string& key) const {
+  return node_[key].IsDefined();
+}
 
 YAML::Node YamlSection::required(const std::string& key) {
   used_.insert(key);
@@ -149,7 +153,8 @@ std::vector<YamlSection> YamlSection::list(const std::string& key) {
   for (std::size_t i = 0; i < node.size(); ++i) {
     const std::string item = full(key) + "[" + std::to_string(i) + "]";
     if (!node[i].IsMap()) {
-      throw ConfigurationError(path_ + ": key '" + item + "' is " + node_text(node[i]) + "; allowed: a section with keys");
+      throw ConfigurationError(path_ + ": key '" + item + "' is " + node_text(node[i]) +
+                               "; allowed: a section with keys");
     }
     sections.push_back(YamlSection(path_, item, node[i]));
   }

@@ -1,0 +1,137 @@
+#pragma once
+
+// The LCM bus as the services use it: typed, checked, counted. One thread; handlers run inside poll().
+//
+//   bus.on_latest<StereoFrame>("STEREO_FRAME", [&](const StereoFrame& frame) { ... });  // last wins
+//   bus.on_each<ServoGoal>("SERVO_GOAL", [&](const ServoGoal& goal) { ... });           // all, in order
+//   auto poses = bus.advertise<TargetPose>("TARGET_POSE");
+//   poses.publish(pose);                                                                // fills session and seq
+//   bus.spin();
+//
+// Messages that wait are handed over in the order in which their channels were subscribed. A handler may publish; it
+// may throw, which counts the message as refused.
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <lcm/lcm-cpp.hpp>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/bus/bus_url.hpp"
+#include "common/bus/publisher.hpp"
+#include "common/bus/subscription.hpp"
+
+namespace markservo {
+class ServiceStatus;
+}
+
+namespace markservo::bus {
+
+// The bus cannot be joined. Ends a service with exit code 3.
+class BusUnavailable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct BusParameters {
+  BusUrls urls;
+  std::string service_name;  // as in SERVICE_STATUS
+  std::string robot;         // prefixes all channels with "robot/" when not empty
+  int64_t config_hash = 0;   // of all settings in force
+  bool heartbeat = true;     // SERVICE_STATUS; never written to file://
+};
+
+class Bus final : private SubscriptionHost {
+ public:
+  // Throws BusUnavailable with a line that says what to do.
+  explicit Bus(BusParameters parameters);
+  ~Bus() override;
+  Bus(const Bus&) = delete;
+  Bus& operator=(const Bus&) = delete;
+
+  template <class M>
+  void on_latest(const std::string& channel, typename TypedSubscription<M>::Handler handler) {
+    subscribe<M>(channel, Delivery::kLatest, true, std::move(handler));
+  }
+  template <class M>
+  void on_each(const std::string& channel, typename TypedSubscription<M>::Handler handler) {
+    subscribe<M>(channel, Delivery::kEach, true, std::move(handler));
+  }
+  // A channel that many write by design (STOP, STOP_STATE, SERVICE_STATUS): no loss or second writer is counted.
+  template <class M>
+  void on_each_from_many(const std::string& channel, typename TypedSubscription<M>::Handler handler) {
+    subscribe<M>(channel, Delivery::kEach, false, std::move(handler));
+  }
+
+  template <class M>
+  Publisher<M> advertise(const std::string& channel) {
+    return Publisher<M>(out_.get(), full_channel(channel), session_);
+  }
+
+  // Calls `task` every `period` of this host's steady clock while the bus is live; never while a log is replayed.
+  void every(std::chrono::milliseconds period, std::function<void()> task);
+
+  // The service's own word for how it is; published at once when it changes.
+  void set_state(const std::string& state, const std::string& reason = {});
+
+  // Handles what comes within `timeout`, then the timers. False once the service shall end: SIGINT, SIGTERM, stop(), or
+  // the end of the log.
+  bool poll(std::chrono::milliseconds timeout);
+  void spin() {
+    while (poll(std::chrono::milliseconds(200))) {
+    }
+  }
+  void stop() { stopped_ = true; }
+
+  // The newest utime on any subscribed channel, us: what "now" means to the algorithms; 0 before the first message.
+  int64_t newest_utime() const override { return newest_utime_; }
+  // Nothing is live about a log.
+  bool replaying() const override { return replaying_; }
+  int64_t session() const { return session_; }
+  const BusUrls& urls() const { return parameters_.urls; }
+  // What SERVICE_STATUS says now.
+  ServiceStatus status() const;
+
+ private:
+  struct Timer {
+    std::chrono::milliseconds period;
+    std::chrono::steady_clock::time_point due;
+    std::function<void()> task;
+  };
+
+  template <class M>
+  void subscribe(const std::string& channel, Delivery delivery, bool exclusive,
+                 typename TypedSubscription<M>::Handler handler) {
+    attach(
+        std::make_unique<TypedSubscription<M>>(this, full_channel(channel), delivery, exclusive, std::move(handler)));
+  }
+  void attach(std::unique_ptr<Subscription> subscription);
+  std::string full_channel(const std::string& channel) const;
+  void publish_status();
+  void run_timers();
+  std::chrono::milliseconds until_next_timer(std::chrono::milliseconds limit) const;
+
+  void note_utime(int64_t utime, bool new_session) override;
+  bool from_the_future(int64_t utime) const override;
+  void complain(const std::string& channel, const std::string& what) override;
+
+  BusParameters parameters_;
+  bool replaying_ = false;
+  int64_t session_ = 0;
+  std::shared_ptr<lcm::LCM> in_;
+  std::shared_ptr<lcm::LCM> out_;
+  std::vector<std::unique_ptr<Subscription>> subscriptions_;
+  std::vector<Timer> timers_;
+  std::unique_ptr<Publisher<ServiceStatus>> status_publisher_;
+  std::string state_ = "starting";
+  std::string reason_;
+  int64_t newest_utime_ = 0;
+  bool stopped_ = false;
+  std::map<std::string, std::chrono::steady_clock::time_point> last_complaint_;
+};
+
+}  // namespace markservo::bus

@@ -1,0 +1,29 @@
+#pragma once
+
+// What a message type carries, asked at compile time: streams have session and seq; answers echo their frame.
+
+#include <cstdint>
+#include <type_traits>
+
+namespace markservo::bus {
+
+template <class M, class = void>
+struct has_seq : std::false_type {};
+template <class M>
+struct has_seq<M, std::void_t<decltype(M::session), decltype(M::seq)>> : std::true_type {};
+
+template <class M, class = void>
+struct has_session : std::false_type {};
+template <class M>
+struct has_session<M, std::void_t<decltype(M::session)>> : std::true_type {};
+
+// Hands the identity of the frame on: from the frame itself or from another answer to it.
+template <class Answer, class From>
+void answer_frame(Answer& answer, const From& from) {
+  answer.utime = from.frame_utime;
+  answer.frame_session = from.frame_session;
+  answer.frame_seq = from.frame_seq;
+  answer.frame_utime = from.frame_utime;
+}
+
+}  // namespace markservo::bus

@@ -1,0 +1,20 @@
+#include "common/bus/sequence_monitor.hpp"
+
+#include <algorithm>
+
+namespace markservo::bus {
+
+void SequenceMonitor::observe(int64_t session, int64_t seq) {
+  session_changed_ = session_ != 0 && session != session_;
+  if (session_changed_) {
+    if (std::find(earlier_.begin(), earlier_.end(), session) != earlier_.end()) second_writer_ = true;
+    earlier_.push_back(session_);
+    if (earlier_.size() > kRemembered) earlier_.pop_front();
+  } else if (session_ != 0 && seq > seq_ + 1) {
+    lost_ += seq - seq_ - 1;
+  }
+  session_ = session;
+  seq_ = seq;
+}
+
+}  // namespace markservo::bus

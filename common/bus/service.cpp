@@ -1,0 +1,109 @@
+#include "common/bus/service.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "common/bus/session.hpp"
+#include "common/robot/configuration_error.hpp"
+
+namespace markservo::bus {
+namespace {
+
+struct CommonOptions {
+  std::string robot_file = "config/robot.yaml";
+  std::string robot;
+  std::string lcm_url = kDefaultUrl;
+  std::string lcm_in;
+  std::string lcm_out;
+  std::string log_level = "info";
+  bool print_config = false;
+};
+
+void add_common_options(CLI::App& app, CommonOptions& options) {
+  app.set_config("--config", "", "Read options from this file (key=value lines, keys as the options' names)");
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  app.add_flag("--print-config", options.print_config, "Print all settings in force and exit")->configurable(false);
+  app.add_option("--robot-file", options.robot_file, "The robot's description")->capture_default_str();
+  app.add_option("--robot", options.robot, "Prefix of all channels, for several robots on one bus");
+  app.add_option("--lcm-url", options.lcm_url, "LCM bus to read and write")
+      ->envname("MARKSERVO_LCM_URL")
+      ->capture_default_str();
+  app.add_option("--lcm-in", options.lcm_in, "LCM bus to read, if another: file://LOG?speed=0 replays a log");
+  app.add_option("--lcm-out", options.lcm_out, "LCM bus to write, if another: file://LOG?mode=w writes a log");
+  app.add_option("--log-level", options.log_level, "Least severity that is logged to the standard error")
+      ->check(CLI::IsMember({"debug", "info", "warn", "error"}))
+      ->capture_default_str();
+}
+
+// All that decides how the service behaves, in one number.
+int64_t config_hash(const CLI::App& app, const std::string& robot_file) {
+  std::ifstream file(robot_file);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return static_cast<int64_t>(fingerprint(content.str(), fingerprint(app.config_to_str(true))));
+}
+
+std::string one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  for (char& character : text) {
+    if (character == '\n') character = ' ';
+  }
+  return text;
+}
+
+int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const CommonOptions& options) {
+  if (options.print_config) {
+    std::cout << app.config_to_str(true, true);
+    return kExitStopped;
+  }
+  service.configure(options.robot_file);
+  if (const auto exit_code = service.run_alone()) return *exit_code;
+
+  BusParameters parameters;
+  parameters.urls.in = options.lcm_in.empty() ? options.lcm_url : options.lcm_in;
+  parameters.urls.out = options.lcm_out.empty() ? options.lcm_url : options.lcm_out;
+  parameters.service_name = info.name;
+  parameters.robot = options.robot;
+  parameters.config_hash = config_hash(app, options.robot_file);
+  Bus bus(parameters);
+  service.start(bus);
+  bus.set_state("ready");
+  service.run(bus);
+  return kExitStopped;
+}
+
+}  // namespace
+
+int run_service(const ServiceInfo& info, Service& service, int argc, char** argv) {
+  CLI::App app(info.description, info.name);
+  CommonOptions options;
+  add_common_options(app, options);
+  service.add_options(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::Error& error) {
+    std::cerr << info.name << ": " << one_line(error.what()) << "; see " << info.name << " --help\n";
+    return kExitBadConfiguration;
+  }
+  // Standard output belongs to what a person asked for (JSON, settings).
+  spdlog::set_default_logger(spdlog::stderr_color_mt(info.name));
+  spdlog::set_pattern("%H:%M:%S.%e %n %^%l%$ %v");
+  spdlog::set_level(spdlog::level::from_str(options.log_level));
+  try {
+    return serve(info, service, app, options);
+  } catch (const ConfigurationError& error) {
+    std::cerr << info.name << ": " << error.what() << "\n";
+    return kExitBadConfiguration;
+  } catch (const BusUnavailable& error) {
+    std::cerr << info.name << ": " << error.what() << "\n";
+    return kExitBusUnavailable;
+  }
+}
+
+}  // namespace markservo::bus

@@ -1,0 +1,47 @@
+#pragma once
+
+// What every service's main() does: options, configuration, bus, signals, exit codes.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "common/bus/bus.hpp"
+
+namespace markservo::bus {
+
+inline constexpr int kExitStopped = 0;
+inline constexpr int kExitBadConfiguration = 2;
+inline constexpr int kExitBusUnavailable = 3;
+
+struct ServiceInfo {
+  std::string name;         // of the executable
+  std::string description;  // one line for --help: what it reads and writes
+};
+
+// A service: the pure algorithm's thin shell. Called in this order.
+class Service {
+ public:
+  virtual ~Service() = default;
+
+  // Adds the service's own options; names are flat and dashed, so that --config FILE can set them.
+  virtual void add_options(CLI::App& app) = 0;
+
+  // Reads files and checks settings, before any bus. `robot_file` is --robot-file. Throws ConfigurationError.
+  virtual void configure(const std::string& robot_file) = 0;
+
+  // Work that needs no bus (a picture, a snapshot): the exit code ends the program; nothing goes on to the bus.
+  virtual std::optional<int> run_alone() { return std::nullopt; }
+
+  // Subscribes and advertises. Throws ConfigurationError.
+  virtual void start(Bus& bus) = 0;
+
+  // Until the bus says stop; a service with a loop of its own calls bus.poll() in it.
+  virtual void run(Bus& bus) { bus.spin(); }
+};
+
+// Common options: --config, --print-config, --robot-file, --robot, --lcm-url (environment MARKSERVO_LCM_URL), --lcm-in,
+// --lcm-out, --log-level. Returns the exit code: 0 stopped, 2 bad configuration, 3 bus unavailable.
+int run_service(const ServiceInfo& info, Service& service, int argc, char** argv);
+
+}  // namespace markservo::bus

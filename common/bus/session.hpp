@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace markservo::bus {
+
+// A random positive number, new at each start of a writer.
+int64_t random_session();
+
+// A positive number that depends on the log's content and the service's name only, so that replaying a log twice
+// writes the same bytes.
+int64_t replay_session(const std::string& log_path, const std::string& service_name);
+
+// 64-bit FNV-1a of `text`, continued from `seed`.
+uint64_t fingerprint(const std::string& text, uint64_t seed = 14695981039346656037ULL);
+
+}  // namespace markservo::bus
