@@ -19,6 +19,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/bus/bus_url.hpp"
@@ -106,8 +107,9 @@ class Bus final : private SubscriptionHost {
   template <class M>
   void subscribe(const std::string& channel, Delivery delivery, bool exclusive,
                  typename TypedSubscription<M>::Handler handler) {
+    SubscriptionHost* host = this;  // a private base: only here is the conversion allowed
     attach(
-        std::make_unique<TypedSubscription<M>>(this, full_channel(channel), delivery, exclusive, std::move(handler)));
+        std::make_unique<TypedSubscription<M>>(host, full_channel(channel), delivery, exclusive, std::move(handler)));
   }
   void attach(std::unique_ptr<Subscription> subscription);
   std::string full_channel(const std::string& channel) const;
