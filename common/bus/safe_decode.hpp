@@ -3,7 +3,9 @@
 // Decoding that no message can hurt: any bytes give a message or a reason, never an exception, never an allocation
 // larger than the message justifies (lcmtypes/HardenGeneratedType.cmake bounds the generated code's lengths).
 
+#include <lcm/lcm_coretypes.h>
 #include <cstdint>
+
 #include <exception>
 #include <limits>
 #include <string>

@@ -1,0 +1,48 @@
+// An example to copy for a service of your own: listens to TARGET_POSE and prints where each mark is.
+//   in: TARGET_POSE     out: standard output, one line per mark and frame
+
+#include <cstdio>
+#include <markservo/TargetPose.hpp>
+
+#include "common/bus/service.hpp"
+
+using markservo::LocatedMark;
+using markservo::TargetPose;
+
+namespace {
+
+class MarkWatcher : public markservo::bus::Service {
+ public:
+  // Options of your own; a --config file may set them too.
+  void add_options(CLI::App& app) override { app.add_option("--mark", only_, "Print this mark only"); }
+
+  // Read your files and check your settings here; throw ConfigurationError to end with exit code 2.
+  void configure(const std::string& /*robot_file*/) override {}
+
+  // Subscribe and advertise. on_latest: the newest message wins; on_each: all, in order.
+  void start(markservo::bus::Bus& bus) override {
+    bus.on_latest<TargetPose>("TARGET_POSE", [this](const TargetPose& pose) { print(pose); });
+  }
+
+ private:
+  void print(const TargetPose& pose) const {
+    for (const LocatedMark& mark : pose.marks) {
+      if (!only_.empty() && mark.name != only_) continue;
+      if (mark.status == LocatedMark::LOCATED) {
+        std::printf("%s x=%.4f m y=%.4f m z=%.4f m\n", mark.name.c_str(), mark.p_C.x, mark.p_C.y, mark.p_C.z);
+      } else {
+        std::printf("%s not located\n", mark.name.c_str());
+      }
+    }
+    std::fflush(stdout);
+  }
+
+  std::string only_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  MarkWatcher watcher;
+  return markservo::bus::run_service({"mark-watcher", "Prints where each mark is (TARGET_POSE)"}, watcher, argc, argv);
+}

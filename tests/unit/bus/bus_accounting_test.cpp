@@ -1,0 +1,183 @@
+// What went wrong on a channel is counted, named in SERVICE_STATUS, and never ends the service.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <markservo/StopState.hpp>
+
+#include "tests/unit/bus/bus_fixture.hpp"
+
+namespace markservo::bus {
+namespace {
+
+class BusAccounting : public BusTest {
+ protected:
+  BusAccounting() : bus_(parameters()) {
+    bus_.on_each<JointState>("JOINT_STATE", [this](const JointState&) { ++handled_; });
+  }
+
+  // Two writers and raw bytes need a way in besides the bus's own publisher: memq:// joins only one LCM instance.
+  void deliver(JointState state, int64_t session, int64_t seq) {
+    state.session = session;
+    state.seq = seq;
+    Session as_it_comes{bus_};
+    as_it_comes.send(state);
+  }
+  struct Session {
+    Bus& bus;
+    void send(const JointState& state) {
+      RawJointState raw{state};
+      auto publisher = bus.advertise<RawJointState>("JOINT_STATE");
+      publisher.publish(raw);
+    }
+  };
+  // The same bytes as a JointState, but without the fields that a publisher fills in.
+  struct RawJointState {
+    JointState state;
+    int getEncodedSize() const { return state.getEncodedSize(); }
+    int encode(void* buffer, int offset, int size) const { return state.encode(buffer, offset, size); }
+  };
+  struct RawBytes {
+    std::vector<uint8_t> bytes;
+    int getEncodedSize() const { return static_cast<int>(bytes.size()); }
+    int encode(void* buffer, int offset, int) const {
+      std::memcpy(static_cast<uint8_t*>(buffer) + offset, bytes.data(), bytes.size());
+      return static_cast<int>(bytes.size());
+    }
+  };
+  void deliver_bytes(const std::vector<uint8_t>& bytes) {
+    RawBytes raw{bytes};
+    auto publisher = bus_.advertise<RawBytes>("JOINT_STATE");
+    publisher.publish(raw);
+  }
+  ChannelStatus counted() {
+    settle(bus_);
+    return only_channel(bus_);
+  }
+
+  Bus bus_;
+  int handled_ = 0;
+};
+
+TEST_F(BusAccounting, GapsInSeqAreLost) {
+  for (const int64_t seq : {1, 2, 5, 6, 10}) deliver(joint_state(seq), 7, seq);
+  EXPECT_EQ(counted().lost, 5);
+  EXPECT_EQ(handled_, 5);
+}
+
+TEST_F(BusAccounting, RestartOfTheWriterLosesNothing) {
+  deliver(joint_state(1), 7, 41);
+  deliver(joint_state(2), 8, 1);
+  EXPECT_EQ(counted().lost, 0);
+  EXPECT_FALSE(counted().second_writer);
+}
+
+TEST_F(BusAccounting, TwoWritersAtOnceAreNamed) {
+  deliver(joint_state(1), 7, 1);
+  deliver(joint_state(2), 8, 1);
+  deliver(joint_state(3), 7, 2);
+  EXPECT_TRUE(counted().second_writer);
+}
+
+TEST_F(BusAccounting, AnotherTypeOnTheChannelIsADecodeFailure) {
+  StopState stop{};
+  std::vector<uint8_t> bytes(static_cast<std::size_t>(stop.getEncodedSize()));
+  stop.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  deliver_bytes(bytes);
+  EXPECT_EQ(counted().decode_failures, 1);
+  EXPECT_EQ(handled_, 0);
+}
+
+TEST_F(BusAccounting, NoBytesAndHalfAMessageAreDecodeFailures) {
+  JointState state = joint_state(1);
+  std::vector<uint8_t> bytes(static_cast<std::size_t>(state.getEncodedSize()));
+  state.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  bytes.resize(bytes.size() / 2);
+  deliver_bytes(bytes);
+  deliver_bytes({});
+  EXPECT_EQ(counted().decode_failures, 2);
+}
+
+TEST_F(BusAccounting, NotANumberIsRefused) {
+  JointState state = joint_state(1);
+  state.num_joints = 1;
+  state.position = {NAN};
+  state.speed = {0.0};
+  deliver(state, 7, 1);
+  EXPECT_EQ(counted().refused, 1);
+  EXPECT_EQ(handled_, 0);
+}
+
+TEST_F(BusAccounting, MessageFromTheFutureIsRefused) {
+  const auto now =
+      std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
+          .count();
+  deliver(joint_state(now + 3'600'000'000), 7, 1);
+  EXPECT_EQ(counted().refused, 1);
+  deliver(joint_state(now), 7, 2);
+  EXPECT_EQ(counted().refused, 1);
+  EXPECT_EQ(handled_, 1);
+}
+
+TEST_F(BusAccounting, HandlerThatThrowsEndsNothing) {
+  Bus bus(parameters());
+  bus.on_each<JointState>("JOINT_STATE", [](const JointState&) { throw std::runtime_error("cannot"); });
+  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  auto state = joint_state(1);
+  publisher.publish(state);
+  settle(bus);
+  EXPECT_EQ(only_channel(bus).refused, 1);
+}
+
+TEST_F(BusAccounting, AgeAndLatencyFollowTheNewestUtime) {
+  Bus bus(parameters());
+  bus.on_each<JointState>("FAST", [](const JointState&) {});
+  bus.on_each<JointState>("SLOW", [](const JointState&) {});
+  auto fast = bus.advertise<JointState>("FAST");
+  auto slow = bus.advertise<JointState>("SLOW");
+  auto early = joint_state(1'000'000);
+  auto late = joint_state(1'500'000);
+  fast.publish(late);
+  slow.publish(early);
+  settle(bus);
+  EXPECT_DOUBLE_EQ(bus.status().channels[0].age, 0.0);
+  EXPECT_DOUBLE_EQ(bus.status().channels[1].age, 0.5);
+  EXPECT_DOUBLE_EQ(bus.status().channels[1].latency_p50, 0.5);
+}
+
+TEST_F(BusAccounting, ChannelNeverHeardHasNoAge) {
+  EXPECT_DOUBLE_EQ(counted().age, -1.0);
+}
+
+TEST_F(BusAccounting, WriterThatRestartsEarlierBeginsANewTimeLine) {
+  deliver(joint_state(50'000'000), 7, 1);
+  deliver(joint_state(1'000'000), 8, 1);
+  settle(bus_);
+  EXPECT_EQ(bus_.newest_utime(), 1'000'000);
+}
+
+TEST_F(BusAccounting, HeartbeatTellsStateOnceASecondAndOnChange) {
+  BusParameters with_heartbeat = parameters();
+  with_heartbeat.heartbeat = true;
+  with_heartbeat.config_hash = 99;
+  Bus bus(with_heartbeat);
+  std::vector<ServiceStatus> seen;
+  bus.on_each_from_many<ServiceStatus>("SERVICE_STATUS", [&](const ServiceStatus& status) { seen.push_back(status); });
+  bus.set_state("ready");
+  bus.set_state("ready");
+  bus.set_state("waiting", "no camera");
+  settle(bus);
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_EQ(seen[0].state, "ready");
+  EXPECT_EQ(seen[1].state, "waiting");
+  EXPECT_EQ(seen[1].reason, "no camera");
+  EXPECT_EQ(seen[1].name, "test");
+  EXPECT_EQ(seen[1].config_hash, 99);
+  const auto before = seen.size();
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  while (seen.size() == before && std::chrono::steady_clock::now() < end) bus.poll(std::chrono::milliseconds(50));
+  EXPECT_GT(seen.size(), before) << "no heartbeat";
+}
+
+}  // namespace
+}  // namespace markservo::bus

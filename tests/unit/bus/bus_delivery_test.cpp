@@ -1,0 +1,116 @@
+#include <cmath>
+#include <markservo/StopState.hpp>
+
+#include "tests/unit/bus/bus_fixture.hpp"
+
+namespace markservo::bus {
+namespace {
+
+using BusDelivery = BusTest;
+
+TEST_F(BusDelivery, LatestHandsOverOnlyTheNewestAndCountsTheRest) {
+  Bus bus(parameters());
+  std::vector<int64_t> seen;
+  bus.on_latest<JointState>("JOINT_STATE", [&](const JointState& state) { seen.push_back(state.utime); });
+  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  for (int64_t utime = 1; utime <= 5; ++utime) {
+    auto state = joint_state(utime);
+    publisher.publish(state);
+  }
+  settle(bus);
+  EXPECT_EQ(seen, std::vector<int64_t>{5});
+  EXPECT_EQ(only_channel(bus).received, 5);
+  EXPECT_EQ(only_channel(bus).skipped, 4);
+}
+
+TEST_F(BusDelivery, EachHandsOverAllInOrder) {
+  Bus bus(parameters());
+  std::vector<int64_t> seen;
+  bus.on_each<JointState>("JOINT_STATE", [&](const JointState& state) { seen.push_back(state.utime); });
+  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  for (int64_t utime = 1; utime <= 5; ++utime) {
+    auto state = joint_state(utime);
+    publisher.publish(state);
+  }
+  settle(bus);
+  EXPECT_EQ(seen, (std::vector<int64_t>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(only_channel(bus).skipped, 0);
+}
+
+TEST_F(BusDelivery, WaitingMessagesComeInTheOrderOfSubscription) {
+  Bus bus(parameters());
+  std::string order;
+  bus.on_latest<StopState>("STOP_STATE", [&](const StopState&) { order += "stop "; });
+  bus.on_latest<JointState>("JOINT_STATE", [&](const JointState&) { order += "joints "; });
+  auto joints = bus.advertise<JointState>("JOINT_STATE");
+  auto stops = bus.advertise<StopState>("STOP_STATE");
+  auto state = joint_state(1);
+  StopState stop{};
+  joints.publish(state);
+  stops.publish(stop);
+  settle(bus);
+  EXPECT_EQ(order, "stop joints ");
+}
+
+TEST_F(BusDelivery, RobotNamePrefixesAllChannels) {
+  Bus bus(parameters("arm+1"));  // a name with a character that regular expressions know
+  int seen = 0;
+  bus.on_each<JointState>("JOINT_STATE", [&](const JointState&) { ++seen; });
+  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  auto state = joint_state(1);
+  publisher.publish(state);
+  settle(bus);
+  EXPECT_EQ(seen, 1);
+  EXPECT_EQ(only_channel(bus).channel, "arm+1/JOINT_STATE");
+}
+
+TEST_F(BusDelivery, PublisherFillsSessionAndSeq) {
+  Bus bus(parameters());
+  std::vector<JointState> seen;
+  bus.on_each<JointState>("JOINT_STATE", [&](const JointState& state) { seen.push_back(state); });
+  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  auto state = joint_state(1);
+  publisher.publish(state);
+  publisher.publish(state);
+  settle(bus);
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_EQ(seen[0].session, bus.session());
+  EXPECT_EQ(seen[0].seq, 1);
+  EXPECT_EQ(seen[1].seq, 2);
+}
+
+TEST_F(BusDelivery, MessageThatBreaksItsRulesIsNotSent) {
+  Bus bus(parameters());
+  int seen = 0;
+  bus.on_each<JointState>("JOINT_STATE", [&](const JointState&) { ++seen; });
+  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  auto state = joint_state(1);
+  state.num_joints = 1;  // but no position
+  EXPECT_THROW(publisher.publish(state), std::invalid_argument);
+  state.position = {NAN};
+  state.speed = {0.0};
+  EXPECT_THROW(publisher.publish(state), std::invalid_argument);
+  settle(bus);
+  EXPECT_EQ(seen, 0);
+}
+
+TEST_F(BusDelivery, NowIsTheNewestUtimeOfAnyChannel) {
+  Bus bus(parameters());
+  bus.on_each<JointState>("JOINT_STATE", [](const JointState&) {});
+  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  for (const int64_t utime : {3000, 9000, 6000}) {
+    auto state = joint_state(utime);
+    publisher.publish(state);
+  }
+  settle(bus);
+  EXPECT_EQ(bus.newest_utime(), 9000);
+}
+
+TEST_F(BusDelivery, StopEndsTheLoop) {
+  Bus bus(parameters());
+  bus.stop();
+  EXPECT_FALSE(bus.poll(std::chrono::milliseconds(0)));
+}
+
+}  // namespace
+}  // namespace markservo::bus

@@ -1,0 +1,99 @@
+#include "common/bus/message_rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace markservo::bus {
+namespace {
+
+StereoFrame small_frame() {
+  StereoFrame frame{};
+  frame.calibration.fx = frame.calibration.fy = 784.0;
+  frame.calibration.baseline = 0.065;
+  frame.width = 4;
+  frame.height = 2;
+  frame.left_size = frame.right_size = 24;
+  frame.left.resize(24);
+  frame.right.resize(24);
+  return frame;
+}
+
+TEST(StereoFrameRules, AcceptAWholeFrame) {
+  EXPECT_EQ(violation(small_frame()), "");
+}
+
+TEST(StereoFrameRules, RefuseImagesOfDifferentSizes) {
+  auto frame = small_frame();
+  frame.right_size = 12;
+  frame.right.resize(12);
+  EXPECT_NE(violation(frame).find("right_size"), std::string::npos);
+}
+
+TEST(StereoFrameRules, RefuseImpossibleSizesAndCalibrations) {
+  for (const int32_t width : {0, -4, 1000000}) {
+    auto frame = small_frame();
+    frame.width = width;
+    EXPECT_NE(violation(frame).find("width"), std::string::npos);
+  }
+  for (const double baseline : {0.0, -0.065, std::nan("")}) {
+    auto frame = small_frame();
+    frame.calibration.baseline = baseline;
+    EXPECT_NE(violation(frame), "");
+  }
+  auto frame = small_frame();
+  frame.encoding = 9;
+  EXPECT_NE(violation(frame).find("encoding"), std::string::npos);
+}
+
+TEST(JointCommandRules, RefuseWhatAnArmMustNotTry) {
+  JointCommand command{};
+  command.num_joints = 1;
+  command.position = {0.1};
+  command.speed_limit = {1.0};
+  EXPECT_EQ(violation(command), "");
+  command.speed_limit = {0.0};
+  EXPECT_NE(violation(command).find("speed_limit"), std::string::npos);
+  command.speed_limit = {1.0};
+  command.position = {INFINITY};
+  EXPECT_NE(violation(command), "");
+  command.position = {0.1};
+  command.gripper_opening = -0.01;
+  EXPECT_NE(violation(command).find("gripper_opening"), std::string::npos);
+}
+
+TEST(TargetPoseRules, RefuseAPositionThatIsNotANumberAndANegativeVariance) {
+  TargetPose pose{};
+  pose.num_marks = 1;
+  pose.marks.resize(1);
+  EXPECT_EQ(violation(pose), "");
+  pose.marks[0].p_C.y = std::nan("");
+  EXPECT_NE(violation(pose), "");
+  pose.marks[0].p_C.y = 0.3;
+  pose.marks[0].covariance.yy = -1.0;
+  EXPECT_NE(violation(pose).find("covariance"), std::string::npos);
+}
+
+TEST(MarkDetectionRules, RefuseAPatchWhosePixelsAreNotAllThere) {
+  MarkDetection detection{};
+  detection.width = 640;
+  detection.height = 480;
+  detection.calibration.fx = detection.calibration.fy = 784.0;
+  detection.calibration.baseline = 0.065;
+  detection.num_marks = 1;
+  detection.marks.resize(1);
+  auto& patch = detection.marks[0].left.patch;
+  patch.scale = 1;
+  patch.width = 9;
+  patch.height = 2;
+  patch.bgr_size = 54;
+  patch.bgr.resize(54);
+  patch.mask_size = 4;
+  patch.mask.resize(4);
+  EXPECT_EQ(violation(detection), "");
+  patch.width = 10;
+  EXPECT_NE(violation(detection).find("bgr_size"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace markservo::bus

@@ -1,0 +1,83 @@
+// A log in, a log out: every event handled, and the same bytes written run after run.
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/unit/bus/bus_fixture.hpp"
+
+namespace markservo::bus {
+namespace {
+
+class Replay : public BusTest {
+ protected:
+  Replay() : folder_(std::filesystem::temp_directory_path() / ("markservo-replay-" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+    lcm::LCM log("file://" + path("in.lcm") + "?mode=w");
+    for (int64_t utime = 1; utime <= 50; ++utime) {
+      auto state = joint_state(utime);
+      log.publish("JOINT_STATE", &state);
+    }
+  }
+  ~Replay() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  BusParameters from_log(const std::string& out) const {
+    BusParameters result;
+    result.urls = {"file://" + path("in.lcm") + "?speed=0", "file://" + path(out) + "?mode=w"};
+    result.service_name = "test";
+    return result;
+  }
+
+  // (channel, payload) of every event of a log.
+  std::vector<std::pair<std::string, std::string>> events(const std::string& name) const {
+    std::vector<std::pair<std::string, std::string>> result;
+    lcm::LogFile log(path(name), "r");
+    while (const auto* event = log.good() ? log.readNextEvent() : nullptr) {
+      result.emplace_back(event->channel,
+                          std::string(static_cast<const char*>(event->data), static_cast<std::size_t>(event->datalen)));
+    }
+    return result;
+  }
+
+  void run_through(const std::string& out) const {
+    Bus bus(from_log(out));
+    auto publisher = bus.advertise<JointState>("ECHO");
+    bus.on_latest<JointState>("JOINT_STATE", [&](const JointState& state) {
+      auto echo = joint_state(state.utime * 2);
+      publisher.publish(echo);
+    });
+    bus.spin();
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(Replay, HandlesEveryEventEvenOfALatestSubscription) {
+  run_through("out.lcm");
+  EXPECT_EQ(events("out.lcm").size(), 50U);
+}
+
+TEST_F(Replay, WritesTheSameBytesTwice) {
+  run_through("first.lcm");
+  run_through("second.lcm");
+  EXPECT_EQ(events("first.lcm"), events("second.lcm"));
+}
+
+TEST_F(Replay, WritesNoHeartbeat) {
+  Bus bus(from_log("quiet.lcm"));
+  bus.set_state("ready");
+  bus.spin();
+  EXPECT_TRUE(events("quiet.lcm").empty());
+}
+
+TEST_F(Replay, OfAMissingLogIsRefusedBeforeLcmCrashesOnIt) {
+  auto missing = from_log("out.lcm");
+  missing.urls.in = "file://" + path("no.lcm") + "?speed=0";
+  EXPECT_THROW(Bus{missing}, BusUnavailable);
+}
+
+}  // namespace
+}  // namespace markservo::bus

@@ -1,0 +1,79 @@
+#include "common/bus/service.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "common/robot/configuration_error.hpp"
+
+namespace markservo::bus {
+namespace {
+
+class OneSetting : public Service {
+ public:
+  void add_options(CLI::App& app) override { app.add_option("--gain", gain, "A gain")->capture_default_str(); }
+  void configure(const std::string&) override {
+    if (gain < 0.0) throw ConfigurationError("gain is negative; allowed: 0 or more");
+  }
+  void start(Bus& bus) override { bus.stop(); }
+  double gain = 0.5;
+};
+
+class ServiceMain : public ::testing::Test {
+ protected:
+  ServiceMain() : file_(std::filesystem::temp_directory_path() / ("markservo-service-" + std::to_string(getpid()))) {}
+  ~ServiceMain() override { std::filesystem::remove(file_); }
+
+  int run(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "one-setting");
+    std::vector<char*> argv;
+    for (auto& argument : arguments) argv.push_back(argument.data());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int code = run_service({"one-setting", "A test"}, service_, static_cast<int>(argv.size()), argv.data());
+    output_ = testing::internal::GetCapturedStdout();
+    errors_ = testing::internal::GetCapturedStderr();
+    return code;
+  }
+  void write_config(const std::string& text) { std::ofstream(file_) << text; }
+
+  std::filesystem::path file_;
+  OneSetting service_;
+  std::string output_;
+  std::string errors_;
+};
+
+TEST_F(ServiceMain, EndsWithZeroWhenStopped) {
+  EXPECT_EQ(run({"--lcm-url", "memq://"}), kExitStopped);
+}
+
+TEST_F(ServiceMain, ReadsItsConfigFileAndPrintsAllSettings) {
+  write_config("gain=0.25\n");
+  EXPECT_EQ(run({"--config", file_.string(), "--print-config"}), kExitStopped);
+  EXPECT_NE(output_.find("gain=0.25"), std::string::npos);
+  EXPECT_NE(output_.find("lcm-url"), std::string::npos);
+}
+
+TEST_F(ServiceMain, RefusesAnUnknownKey) {
+  write_config("gian=0.25\n");
+  EXPECT_EQ(run({"--config", file_.string()}), kExitBadConfiguration);
+  EXPECT_NE(errors_.find("gian"), std::string::npos);
+}
+
+TEST_F(ServiceMain, RefusesAWrongTypeAndABadValueInOneLine) {
+  EXPECT_EQ(run({"--gain", "much"}), kExitBadConfiguration);
+  EXPECT_EQ(std::count(errors_.begin(), errors_.end(), '\n'), 1);
+  EXPECT_EQ(run({"--gain", "-1"}), kExitBadConfiguration);
+  EXPECT_NE(errors_.find("negative"), std::string::npos);
+}
+
+TEST_F(ServiceMain, EndsWithThreeWithoutABus) {
+  EXPECT_EQ(run({"--lcm-url", "file:///nowhere/no.lcm"}), kExitBusUnavailable);
+  EXPECT_NE(errors_.find("no.lcm"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace markservo::bus

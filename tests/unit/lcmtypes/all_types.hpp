@@ -1,0 +1,43 @@
+#pragma once
+
+// Every message type of lcmtypes/, for tests that must hold for all of them.
+
+#include <gtest/gtest.h>
+
+#include <markservo/ChannelStatus.hpp>
+#include <markservo/Covariance3.hpp>
+#include <markservo/DetectedMark.hpp>
+#include <markservo/JointCommand.hpp>
+#include <markservo/JointState.hpp>
+#include <markservo/LocatedMark.hpp>
+#include <markservo/MarkDetection.hpp>
+#include <markservo/MarkMatches.hpp>
+#include <markservo/MarkPatch.hpp>
+#include <markservo/MarkView.hpp>
+#include <markservo/ServiceStatus.hpp>
+#include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
+#include <markservo/SimBody.hpp>
+#include <markservo/SimControl.hpp>
+#include <markservo/SimMark.hpp>
+#include <markservo/SimParameter.hpp>
+#include <markservo/SimTruth.hpp>
+#include <markservo/StereoCalibration.hpp>
+#include <markservo/StereoFrame.hpp>
+#include <markservo/StereoMatches.hpp>
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
+#include <markservo/TargetPose.hpp>
+#include <markservo/TaskCommand.hpp>
+#include <markservo/TaskState.hpp>
+#include <markservo/Vector3.hpp>
+
+namespace markservo {
+
+using AllTypes =
+    ::testing::Types<ChannelStatus, Covariance3, DetectedMark, JointCommand, JointState, LocatedMark, MarkDetection,
+                     MarkMatches, MarkPatch, MarkView, ServiceStatus, ServoGoal, ServoStatus, SimBody, SimControl,
+                     SimMark, SimParameter, SimTruth, StereoCalibration, StereoFrame, StereoMatches, StopRequest,
+                     StopState, TargetPose, TaskCommand, TaskState, Vector3>;
+
+}  // namespace markservo

@@ -1,0 +1,42 @@
+// A type's fingerprint covers its fields' names, types and order. A change here orphans every log written before it:
+// make it on purpose, and change the number with it.
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "tests/unit/lcmtypes/all_types.hpp"
+
+namespace markservo {
+namespace {
+
+const std::map<std::string, uint64_t> kFingerprints = {
+    {"ChannelStatus", 0x36a6bbfbc332a94e},     {"Covariance3", 0xcc5f85f810cc4dbf},
+    {"DetectedMark", 0x4774cfb188113052},      {"JointCommand", 0x1ef4b81deb1f2241},
+    {"JointState", 0xf3038144e52da378},        {"LocatedMark", 0xd818b2fc499c60e9},
+    {"MarkDetection", 0xc5d4e8a564e68e26},     {"MarkMatches", 0xbc1958170aed005c},
+    {"MarkPatch", 0x6c1fec5028a1c864},         {"MarkView", 0x46980fcad4cd2fd7},
+    {"ServiceStatus", 0xd0bd649f66aa77bc},     {"ServoGoal", 0x0d7bf352beca6584},
+    {"ServoStatus", 0x9a6b43718a5b82df},       {"SimBody", 0x6a37dc4ea8b4b70b},
+    {"SimControl", 0x461cbecc65dd2a5d},        {"SimMark", 0x4ba91cc7bca1aa43},
+    {"SimParameter", 0xea7bbdc5e39b2f1e},      {"SimTruth", 0x7405876fcc7267b3},
+    {"StereoCalibration", 0x3dc8e13ef086180b}, {"StereoFrame", 0x36e15a60ab50c56c},
+    {"StereoMatches", 0x3cad37b01e4827b6},     {"StopRequest", 0xb1ee88ba800ce4e9},
+    {"StopState", 0xa8127e023e9b84c4},         {"TargetPose", 0x74abed7a9ba6e8d0},
+    {"TaskCommand", 0xc4a05b607ff5f560},       {"TaskState", 0x6f22750652149849},
+    {"Vector3", 0xae7e5fba5eeca11e},
+};
+
+template <class M>
+class Fingerprint : public ::testing::Test {};
+TYPED_TEST_SUITE(Fingerprint, AllTypes);
+
+TYPED_TEST(Fingerprint, IsTheOneThatLogsWereWrittenWith) {
+  const auto known = kFingerprints.find(TypeParam::getTypeName());
+  ASSERT_NE(known, kFingerprints.end()) << "add " << TypeParam::getTypeName() << " to kFingerprints";
+  EXPECT_EQ(static_cast<uint64_t>(TypeParam::getHash()), known->second)
+      << TypeParam::getTypeName() << ": 0x" << std::hex << static_cast<uint64_t>(TypeParam::getHash());
+}
+
+}  // namespace
+}  // namespace markservo
