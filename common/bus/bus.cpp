@@ -65,7 +65,9 @@ void raw_handler(const lcm::ReceiveBuffer* buffer, const std::string& /*channel*
 Bus::Bus(BusParameters parameters) : parameters_(std::move(parameters)) {
   const BusUrls& urls = parameters_.urls;
   replaying_ = is_file(urls.in) && urls.in.find("mode=w") == std::string::npos;
-  session_ = replaying_ ? replay_session(file_path(urls.in), parameters_.service_name) : random_session();
+  session_ = random_session();
+  if (parameters_.source) session_ = source_session(parameters_.service_name);
+  if (replaying_) session_ = replay_session(file_path(urls.in), parameters_.service_name);
   in_ = connect(urls.in);
   out_ = urls.out == urls.in ? in_ : connect(urls.out);
   if (parameters_.heartbeat && !is_file(urls.out)) {

@@ -43,6 +43,7 @@ struct BusParameters {
   std::string service_name;  // as in SERVICE_STATUS
   std::string robot;         // prefixes all channels with "robot/" when not empty
   int64_t config_hash = 0;   // of all settings in force
+  bool source = false;       // reads nothing and writes a log: the same session in every run
   bool heartbeat = true;     // SERVICE_STATUS; never written to file://
 };
 

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 #include "common/bus/session.hpp"
@@ -66,6 +67,8 @@ int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const 
   BusParameters parameters;
   parameters.urls.in = options.lcm_in.empty() ? options.lcm_url : options.lcm_in;
   parameters.urls.out = options.lcm_out.empty() ? options.lcm_url : options.lcm_out;
+  parameters.source = !service.reads_bus() && options.lcm_in.empty() && is_file(parameters.urls.out);
+  if (parameters.source) parameters.urls.in = "memq://";
   parameters.service_name = info.name;
   parameters.robot = options.robot;
   parameters.config_hash = config_hash(app, options.robot_file);
@@ -92,7 +95,8 @@ int run_service(const ServiceInfo& info, Service& service, int argc, char** argv
     return kExitBadConfiguration;
   }
   // Standard output belongs to what a person asked for (JSON, settings).
-  spdlog::set_default_logger(spdlog::stderr_color_mt(info.name));
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>(info.name, std::make_shared<spdlog::sinks::stderr_color_sink_mt>()));
   spdlog::set_pattern("%H:%M:%S.%e %n %^%l%$ %v");
   spdlog::set_level(spdlog::level::from_str(options.log_level));
   try {

@@ -30,6 +30,9 @@ class Service {
   // Reads files and checks settings, before any bus. `robot_file` is --robot-file. Throws ConfigurationError.
   virtual void configure(const std::string& robot_file) = 0;
 
+  // False for a source that only writes: then writing a log needs no bus to read, and is the same in every run.
+  virtual bool reads_bus() const { return true; }
+
   // Work that needs no bus (a picture, a snapshot): the exit code ends the program; nothing goes on to the bus.
   virtual std::optional<int> run_alone() { return std::nullopt; }
 

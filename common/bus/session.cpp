@@ -29,6 +29,10 @@ int64_t replay_session(const std::string& log_path, const std::string& service_n
   return positive(fingerprint(service_name, fingerprint(head)));
 }
 
+int64_t source_session(const std::string& service_name) {
+  return positive(fingerprint(service_name));
+}
+
 uint64_t fingerprint(const std::string& text, uint64_t seed) {
   constexpr uint64_t kPrime = 1099511628211ULL;
   uint64_t hash = seed;

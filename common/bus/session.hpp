@@ -12,6 +12,10 @@ int64_t random_session();
 // writes the same bytes.
 int64_t replay_session(const std::string& log_path, const std::string& service_name);
 
+// A positive number that depends on the service's name only: for a source that writes a log from files, so that the
+// same files give the same bytes.
+int64_t source_session(const std::string& service_name);
+
 // 64-bit FNV-1a of `text`, continued from `seed`.
 uint64_t fingerprint(const std::string& text, uint64_t seed = 14695981039346656037ULL);
 
