@@ -1,0 +1,57 @@
+# shellcheck shell=bash
+# What the scripts share: where the project is, how they speak, and which packages are missing. To be sourced.
+
+# The folder that holds CMakeLists.txt, whatever the current folder is.
+# shellcheck disable=SC2034 # used by the scripts that source this file
+repository=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
+script_name=${0##*/}
+
+# say TEXT...: one line of progress on standard output.
+say() { printf '%s\n' "$*"; }
+
+# warn TEXT...: one line on standard error.
+warn() { printf '%s: %s\n' "$script_name" "$*" >&2; }
+
+# fail TEXT...: one line on standard error, then exit 1.
+fail() {
+  warn "$@"
+  exit 1
+}
+
+# usage_error TEXT...: as fail, but with exit code 2 and a pointer to --help.
+usage_error() {
+  warn "$*; see scripts/$script_name --help"
+  exit 2
+}
+
+# required_packages: the names in scripts/packages.txt, one a line.
+required_packages() { sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$repository/scripts/packages.txt"; }
+
+# missing_packages: those of them that are not installed, one a line; nothing where dpkg does not exist.
+missing_packages() {
+  command -v dpkg-query >/dev/null || return 0
+  # shellcheck disable=SC2016 # dpkg's variables, not the shell's
+  # dpkg-query exits 1 when it does not know a name: that name is then missing from its output as well.
+  comm -23 <(required_packages | sort -u) \
+    <(required_packages | xargs dpkg-query -W -f='${db:Status-Status} ${Package}\n' 2>/dev/null |
+      sed -n 's/^installed //p' | sort -u)
+}
+
+# warn_of_missing_packages: one line that names them and the command that mends it.
+warn_of_missing_packages() {
+  local missing
+  missing=$(missing_packages | paste -sd ' ')
+  if [[ -n $missing ]]; then
+    warn "missing packages: $missing (scripts/install installs them)"
+  fi
+}
+
+# parallel_jobs: as many as there are cores, but no more than memory allows: a C++ job here takes up to 1.5 GiB.
+parallel_jobs() {
+  local cores available_kib by_memory
+  cores=$(nproc)
+  available_kib=$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo)
+  by_memory=$((available_kib / (1536 * 1024)))
+  if ((by_memory < 1)); then by_memory=1; fi
+  printf '%d\n' $((cores < by_memory ? cores : by_memory))
+}

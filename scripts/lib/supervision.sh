@@ -1,0 +1,98 @@
+# shellcheck shell=bash disable=SC2154 # runtime_dir and log_dir are the sourcing script's
+# One stack of services under one supervisord, described by the files in its runtime folder. To be sourced after
+# project.sh; works on the variables runtime_dir (absolute) and log_dir (absolute, for what is rendered).
+
+# ctl ARGUMENT...: supervisorctl of this stack.
+ctl() { supervisorctl -c "$runtime_dir/supervisord.conf" "$@"; }
+
+# is_running: whether this stack's supervisord answers.
+is_running() { [[ -S $runtime_dir/supervisor.sock ]] && ctl pid >/dev/null 2>&1; }
+
+# states [SERVICE...]: supervisor's own lines: name, state, description. (supervisorctl's exit code says what they say.)
+states() { ctl status "$@" || true; }
+
+# configured_services: the services this stack knows, one a line.
+configured_services() { find "$runtime_dir/services" -name '*.conf' -printf '%f\n' | sed 's/\.conf$//' | sort; }
+
+# processes: the process ids of everything this stack has started, supervisord too, one a line.
+processes() {
+  # All of them carry the mark that start_supervisor sets, even when their supervisor has died.
+  grep -lszxF -- "MARKSERVO_STACK=$runtime_dir" /proc/[0-9]*/environ | cut -d/ -f3
+}
+
+# end_processes: waits 2 s for what is left of the stack to end by itself, then sends SIGTERM and, 2 s later, SIGKILL.
+end_processes() {
+  local signal left tenths
+  for signal in 0 TERM KILL; do
+    for ((tenths = 0; tenths < 20; ++tenths)); do
+      mapfile -t left < <(processes)
+      if ((${#left[@]} == 0)); then return 0; fi
+      if ((tenths == 0)) && [[ $signal != 0 ]]; then kill -s "$signal" "${left[@]}" 2>/dev/null || true; fi
+      sleep 0.1
+    done
+  done
+  fail "processes that cannot be ended: ${left[*]}"
+}
+
+# make_runtime_dir: creates the runtime folder for this user alone; refuses one that another user could reach into.
+make_runtime_dir() {
+  local socket=$runtime_dir/supervisor.sock
+  # A socket's path holds 107 bytes, and supervisord appends ".<pid>" while it binds.
+  ((${#socket} <= 96)) || fail "runtime folder $runtime_dir: too long for a socket's path; use a shorter --runtime-dir"
+  (umask 077 && mkdir -p -- "$runtime_dir")
+  if [[ -L $runtime_dir || ! -d $runtime_dir || ! -O $runtime_dir ]]; then
+    fail "runtime folder $runtime_dir: not a folder of yours; use --runtime-dir"
+  fi
+  chmod 0700 -- "$runtime_dir"
+}
+
+# render SERVICE: reads the template, writes it to standard output with @...@ filled in.
+render() {
+  local text user=''
+  text=$(cat)
+  # Without a user supervisord complains when root runs it.
+  if ((EUID == 0)); then user='user=root'; fi
+  # supervisor expands %(...)s itself.
+  text=${text//@repository@/"${repository//%/%%}"}
+  text=${text//@log_dir@/"${log_dir//%/%%}"}
+  text=${text//@runtime_dir@/"${runtime_dir//%/%%}"}
+  text=${text//@service@/"$1"}
+  text=${text//@user@/"$user"}
+  printf '%s\n' "$text"
+}
+
+# start_supervisor SERVICE...: starts supervisord, which then knows these services but runs none. It answers when this
+# returns.
+start_supervisor() {
+  local service
+  rm -rf -- "${runtime_dir:?}/services" "${runtime_dir:?}/launch"
+  mkdir -- "$runtime_dir/services" "$runtime_dir/launch"
+  printf '%s\n' "$log_dir" >"$runtime_dir/log_dir"
+  sed '/^\[program:/,$d' "$repository/config/supervisord.conf" | render '' >"$runtime_dir/supervisord.conf"
+  for service; do render_service "$service"; done
+  env MARKSERVO_STACK="$runtime_dir" supervisord -c "$runtime_dir/supervisord.conf"
+}
+
+# set_launch SERVICE COMMAND [ARGUMENT...]: how the next start of SERVICE runs it.
+set_launch() {
+  local service=$1
+  shift
+  # A file of its own spares the arguments supervisor's rules for %, quotes and comments.
+  printf '# How scripts/stack runs %s.\nexec %s\n' "$service" "${*@Q}" >"$runtime_dir/launch/$service"
+}
+
+# render_service SERVICE: writes its [program] section.
+render_service() {
+  sed -n '/^\[program:/,$p' "$repository/config/supervisord.conf" | render "$1" >"$runtime_dir/services/$1.conf"
+}
+
+# add_service SERVICE: makes the running supervisord know a service, if it does not; it does not start it.
+add_service() {
+  if [[ -f $runtime_dir/services/$1.conf ]]; then return; fi
+  render_service "$1"
+  ctl reread >/dev/null
+  ctl add "$1" >/dev/null
+}
+
+# is_launched SERVICE: whether set_launch was called for it since the stack was started.
+is_launched() { [[ -f $runtime_dir/launch/$1 ]]; }
