@@ -18,23 +18,6 @@ std::string millimetres(double metres) {
   return text;
 }
 
-// The least distance from an image border, px, of a square mark of edge `size` at `X_CM` (edges along x and z), over
-// both images; negative outside, minus infinity behind the lenses.
-double view_margin_px(const CameraDescription& cameras, const Eigen::Isometry3d& X_CM, double size) {
-  double margin = std::numeric_limits<double>::infinity();
-  for (const double along_x : {-0.5, 0.5}) {
-    for (const double along_z : {-0.5, 0.5}) {
-      const auto point = geometry::project(cameras.stereo, X_CM * Eigen::Vector3d(along_x * size, 0.0, along_z * size));
-      if (!point) return -std::numeric_limits<double>::infinity();
-      for (const double u : {point->u_left, point->u_right}) {
-        margin = std::min({margin, u + 0.5, cameras.width - 0.5 - u});
-      }
-      margin = std::min({margin, point->v + 0.5, cameras.height - 0.5 - point->v});
-    }
-  }
-  return margin;
-}
-
 // The least room, m, between the open fingers and the books beside and between them. The books stand along C's y; the
 // fingers reach from the spine to the fingertip, turned by the arm's yaw.
 double finger_room(const ArmDescription& arm, const GripDescription& grip, const JointVector& q) {
@@ -61,6 +44,21 @@ const MarkDescription& manipulator_mark(const RobotDescription& robot) {
 }
 
 }  // namespace
+
+double view_margin_px(const CameraDescription& cameras, const Eigen::Isometry3d& X_CM, double size) {
+  double margin = std::numeric_limits<double>::infinity();
+  for (const double along_x : {-0.5, 0.5}) {
+    for (const double along_z : {-0.5, 0.5}) {
+      const auto point = geometry::project(cameras.stereo, X_CM * Eigen::Vector3d(along_x * size, 0.0, along_z * size));
+      if (!point) return -std::numeric_limits<double>::infinity();
+      for (const double u : {point->u_left, point->u_right}) {
+        margin = std::min({margin, u + 0.5, cameras.width - 0.5 - u});
+      }
+      margin = std::min({margin, point->v + 0.5, cameras.height - 0.5 - point->v});
+    }
+  }
+  return margin;
+}
 
 GripJudgement judge_grip(const RobotDescription& robot, const MarkDescription& target, const Eigen::Vector3d& p_CT) {
   if (!robot.arm) throw std::invalid_argument("judge_grip: the robot has no arm");
