@@ -55,3 +55,15 @@ parallel_jobs() {
   if ((by_memory < 1)); then by_memory=1; fi
   printf '%d\n' $((cores < by_memory ? cores : by_memory))
 }
+
+# project_files [REGEX]: the project's own files, tracked by git, relative to $repository, whose path matches; in a copy
+# without git all that is not built or recorded.
+project_files() {
+  local list
+  list=$(git -C "$repository" ls-files 2>/dev/null) ||
+    list=$(cd -- "$repository" && find . -type d \( -name .git -o -path ./build -o -path ./logs \) -prune -o -type f -printf '%P\n')
+  # A file that is tracked but was just deleted is not there to be read.
+  grep -E -e "${1:-.}" <<<"$list" | while IFS= read -r file; do
+    if [[ -f $repository/$file ]]; then printf '%s\n' "$file"; fi
+  done
+}
