@@ -1,0 +1,52 @@
+#include "services/visual-servo/joint_history.hpp"
+
+#include <algorithm>
+
+namespace markservo::visual_servo {
+namespace {
+
+constexpr std::int64_t kKept_us = 1'000'000;
+constexpr double kLeapFactor = 2.0;     // of the servo's own speed
+constexpr double kLeapAllowance = 0.1;  // rad, for samples that share a time stamp
+
+bool is_leap(const JointSample& from, const JointSample& to, const JointVector& max_speed) {
+  const double seconds = seconds_between(from.utime, to.utime);
+  const JointVector allowed = max_speed * (kLeapFactor * seconds) + JointVector::Constant(kLeapAllowance);
+  return ((to.position - from.position).cwiseAbs().array() > allowed.array()).any();
+}
+
+}  // namespace
+
+bool JointHistory::add(const JointSample& sample, const JointVector& max_speed) {
+  bool anew = false;
+  if (!samples_.empty()) {
+    const JointSample& last = samples_.back();
+    if (sample.session == last.session && sample.utime == last.utime) return false;
+    anew = sample.session != last.session || sample.utime < last.utime || is_leap(last, sample, max_speed);
+    if (anew) samples_.clear();
+  }
+  samples_.push_back(sample);
+  while (samples_.front().utime < sample.utime - kKept_us) samples_.pop_front();
+  return anew;
+}
+
+JointVector JointHistory::at(std::int64_t utime) const {
+  const auto after = std::lower_bound(samples_.begin(), samples_.end(), utime,
+                                      [](const JointSample& sample, std::int64_t t) { return sample.utime < t; });
+  if (after == samples_.begin()) return samples_.front().position;
+  if (after == samples_.end()) return samples_.back().position;
+  const auto before = std::prev(after);
+  const double part = seconds_between(before->utime, utime) / seconds_between(before->utime, after->utime);
+  return before->position + part * (after->position - before->position);
+}
+
+std::optional<std::int64_t> JointHistory::near_since(const JointVector& position, double tolerance) const {
+  std::optional<std::int64_t> since;
+  for (auto sample = samples_.rbegin(); sample != samples_.rend(); ++sample) {
+    if ((sample->position - position).cwiseAbs().maxCoeff() > tolerance) break;
+    since = sample->utime;
+  }
+  return since;
+}
+
+}  // namespace markservo::visual_servo

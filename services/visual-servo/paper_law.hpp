@@ -1,0 +1,21 @@
+#pragma once
+
+// The paper's control law (paper eq. 6), kept as the baseline: each joint follows one axis of the marks' difference.
+
+#include <Eigen/Core>
+
+#include "common/robot/robot_description.hpp"
+
+namespace markservo::visual_servo {
+
+// What the law brings to zero (m, in C): hand mark minus the target mark with its constant offset. `shift_TG` (m) is
+// the wanted grip point minus the target's usual one, so that goals other than the grip can be served.
+Eigen::Vector3d paper_error(const robot::PaperLawDescription& law, const Eigen::Vector3d& p_CM,
+                            const Eigen::Vector3d& p_CT, const Eigen::Vector3d& shift_TG);
+
+// Joint step (rad) of one frame interval `seconds`: gain (rad/s per m, signed) times error (paper eq. 6), each joint no
+// faster than `joint_speed` (rad/s).
+robot::JointVector paper_step(const robot::PaperLawDescription& law, const Eigen::Vector3d& error, double seconds,
+                              double joint_speed);
+
+}  // namespace markservo::visual_servo

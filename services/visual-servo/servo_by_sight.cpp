@@ -1,0 +1,154 @@
+#include "services/visual-servo/servo_by_sight.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/robot/arm_kinematics.hpp"
+#include "services/visual-servo/goal_check.hpp"
+#include "services/visual-servo/in_flight.hpp"
+
+namespace markservo::visual_servo {
+namespace {
+
+using Phase = SightState::Phase;
+
+// What every phase needs of one frame.
+struct Frame {
+  const robot::ArmDescription& arm;
+  const SightParameters& parameters;
+  const Sight& sight;
+  const JointHistory& joints;
+  const JointVector& q_command;
+  std::int64_t command_utime;
+  Eigen::Vector3d p_CG;  // m, seen
+  double tolerance;      // m
+};
+
+bool rests(const Frame& frame, std::int64_t utime) {
+  const auto since = at_rest_since(frame.parameters.settling, frame.joints, frame.q_command, frame.command_utime);
+  return since && seconds_between(*since, utime) >= frame.parameters.settling.settle_time;
+}
+
+void enter(const JointVector& q_goal, const Frame& frame, SightState& state, SightAnswer& answer) {
+  answer.step = q_goal - frame.q_command;
+  answer.at_once = true;
+  state.window.clear();
+  state.phase = Phase::kSettle;
+}
+
+void approach(const Frame& frame, SightState& state, SightAnswer& answer) {
+  const SightParameters& parameters = frame.parameters;
+  JointVector q_goal;
+  answer.unreachable =
+      why_unreachable(frame.arm, frame.sight.p_CG_goal - state.bias, parameters.joint_margin, q_goal);
+  if (!answer.unreachable.empty()) return;
+  if (state.phase != Phase::kApproach) {
+    state.phase = Phase::kApproach;
+    state.corrections = 0;
+    state.directions = ending_directions(frame.q_command, q_goal);
+  }
+  const JointVector q_entry = entry_posture(frame.arm, parameters.one_sided, q_goal, state.directions);
+  const Eigen::Vector3d to_go =
+      robot::grip_point(frame.arm, q_entry) - robot::grip_point(frame.arm, frame.q_command);
+  if (to_go.norm() <= parameters.entry_radius) {
+    enter(q_goal, frame, state, answer);
+    return;
+  }
+  answer.step = resolved_rate_step(frame.arm, parameters.rate, frame.q_command, to_go, frame.sight.seconds,
+                                   frame.sight.grip_speed, frame.sight.speed_before);
+  answer.streaming = true;
+}
+
+void correct(const Frame& frame, const Eigen::Vector3d& error, SightState& state, SightAnswer& answer) {
+  ++state.corrections;
+  const JointVector change =
+      damped_joint_step(robot::grip_point_jacobian(frame.arm, frame.sight.q_exposure), -error,
+                        frame.parameters.rate.damping);
+  const Correction correction =
+      plan_correction(frame.arm, frame.parameters.one_sided, frame.q_command, change, state.directions);
+  if (!correction.backs_off) {
+    enter(correction.final, frame, state, answer);
+    return;
+  }
+  answer.step = correction.via - frame.q_command;
+  state.final = correction.final;
+  state.phase = Phase::kBackOff;
+}
+
+// The error that ends the servoing: finer than asked at first, so that the goal is met with something in hand.
+double accepted_error(const Frame& frame, const SightState& state) {
+  const SightParameters& parameters = frame.parameters;
+  if (state.corrections >= parameters.fine_corrections) return frame.tolerance;
+  return std::min(frame.tolerance, std::max(parameters.fine_tolerance, parameters.fine_part * frame.tolerance));
+}
+
+void settle(const Frame& frame, SightState& state, SightAnswer& answer) {
+  if (!rests(frame, frame.sight.utime)) return;
+  answer.settled = true;
+  state.window.add(frame.parameters.settling, frame.p_CG);
+  answer.frames = state.window.size();
+  answer.error = state.window.mean() - frame.sight.p_CG_goal;
+  if (!state.window.ready(frame.parameters.settling)) return;
+  if (answer.error.norm() <= accepted_error(frame, state)) {
+    state.phase = Phase::kConverged;
+    answer.converged = true;
+  } else if (answer.error.norm() > frame.parameters.far) {
+    approach(frame, state, answer);
+  } else {
+    correct(frame, answer.error, state, answer);
+  }
+}
+
+void stay_converged(const Frame& frame, SightState& state, SightAnswer& answer) {
+  state.window.add(frame.parameters.settling, frame.p_CG);
+  answer.settled = true;
+  answer.frames = state.window.size();
+  answer.error = state.window.mean() - frame.sight.p_CG_goal;
+  const double leave = std::max(frame.parameters.leave_factor * frame.tolerance,
+                                frame.tolerance + frame.parameters.leave_margin);
+  answer.converged = answer.error.norm() <= leave;
+  if (!answer.converged) {
+    state.phase = Phase::kSettle;
+    state.corrections = 0;
+    state.window.clear();
+  }
+}
+
+}  // namespace
+
+SightAnswer servo_by_sight(const robot::ArmDescription& arm, const SightParameters& parameters, const Sight& sight,
+                           const JointHistory& joints, const JointVector& q_command, std::int64_t command_utime,
+                           SightState& state) {
+  const Frame frame{arm,
+                    parameters,
+                    sight,
+                    joints,
+                    q_command,
+                    command_utime,
+                    seen_grip_point(arm, sight.q_exposure, sight.p_CM),
+                    sight.tolerance > 0.0 ? sight.tolerance : parameters.tolerance};
+  const Eigen::Vector3d bias = kinematic_bias(arm, sight.q_exposure, sight.p_CM);
+  state.bias = state.bias_known ? Eigen::Vector3d(state.bias + parameters.bias_weight * (bias - state.bias)) : bias;
+  state.bias_known = true;
+
+  SightAnswer answer;
+  answer.error = frame.p_CG - sight.p_CG_goal;
+  const Eigen::Vector3d error_to_come = predicted_grip_point(arm, q_command, state.bias) - sight.p_CG_goal;
+  const bool astray = error_to_come.norm() > 2.0 * parameters.far;
+  if (state.phase == Phase::kStart && error_to_come.norm() <= parameters.near) {
+    state.directions = ending_directions(q_command, q_command);
+    state.phase = Phase::kSettle;
+  }
+  if (state.phase == Phase::kStart || state.phase == Phase::kApproach || astray) {
+    approach(frame, state, answer);
+  } else if (state.phase == Phase::kBackOff) {
+    if (rests(frame, joints.newest().utime)) enter(state.final, frame, state, answer);
+  } else if (state.phase == Phase::kSettle) {
+    settle(frame, state, answer);
+  } else {
+    stay_converged(frame, state, answer);
+  }
+  return answer;
+}
+
+}  // namespace markservo::visual_servo

@@ -1,0 +1,373 @@
+#include "services/visual-servo/servo_state_machine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include "common/robot/arm_kinematics.hpp"
+#include "services/visual-servo/goal_check.hpp"
+#include "services/visual-servo/in_flight.hpp"
+#include "services/visual-servo/paper_law.hpp"
+
+namespace markservo::visual_servo {
+namespace {
+
+constexpr double kNominalFrame_s = 1.0 / 30.0;
+constexpr double kShortestFrame_s = 1.0 / 120.0;
+constexpr double kLongestFrame_s = 0.1;   // a longer gap must not become a longer step
+constexpr double kRampReserve = 1.3;      // ramps end a little before the next command
+constexpr double kSlowestRamp = 0.2;      // rad/s
+constexpr double kNegligibleStep = 1e-4;  // rad
+
+std::string age_text(const char* what, double seconds, double allowed) {
+  char text[128];
+  std::snprintf(text, sizeof text, "%s by %.2f s, allowed %.2f s", what, seconds, allowed);
+  return text;
+}
+
+const MarkSample* find(const PoseSample& pose, const std::string& name) {
+  for (const auto& mark : pose.marks) {
+    if (mark.name == name) return &mark;
+  }
+  return nullptr;
+}
+
+// Why the mark cannot be used; empty when it can.
+std::string why_lost(const MarkSample* mark, const std::string& name) {
+  if (mark == nullptr) return "TARGET_POSE does not list mark " + name;
+  if (!mark->located) return "mark " + name + ": " + (mark->problem.empty() ? "not located" : mark->problem);
+  if (!mark->p_C.allFinite() || !mark->covariance.allFinite()) return "mark " + name + ": position is not finite";
+  return "";
+}
+
+}  // namespace
+
+ServoStateMachine::ServoStateMachine(robot::RobotDescription robot, Parameters parameters)
+    : robot_(std::move(robot)), parameters_(parameters) {
+  if (!robot_.arm) throw std::invalid_argument("visual-servo: robot.yaml has no arm");
+  arm_ = *robot_.arm;
+  for (const auto& mark : robot_.marks) {
+    if (mark.role == robot::MarkRole::kManipulator) hand_name_ = mark.name;
+  }
+  if (hand_name_.empty()) throw std::invalid_argument("visual-servo: robot.yaml has no mark of role manipulator");
+  if (parameters_.law == Law::kPaper && !robot_.paper_law) {
+    throw std::invalid_argument("visual-servo: robot.yaml has no paper_law, needed by law 'paper'");
+  }
+  for (int i = 0; i < robot::kNumJoints; ++i) servo_speed_[i] = arm_.joints[static_cast<std::size_t>(i)].speed;
+}
+
+bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
+  if (!sample.position.allFinite() || !std::isfinite(sample.gripper_opening)) return false;
+  if (state.joints.add(sample, servo_speed_)) state.adopt_joints = true;
+  return true;
+}
+
+bool ServoStateMachine::observe(const Goal& goal, State& state) const {
+  const auto dropped = state.dropped.find(goal.session);
+  if (dropped != state.dropped.end() && goal.id <= dropped->second) return false;
+  if (state.stop_latched.value_or(false)) {
+    state.dropped[goal.session] = goal.id;
+    return false;
+  }
+  if (state.goal) {
+    const bool same_session = goal.session == state.goal->session;
+    if (same_session && goal.id < state.goal->id) return false;
+    if (!same_session && goal.utime < state.goal->utime) return false;
+    if (same_session && goal.id == state.goal->id) {
+      state.goal->utime = std::max(state.goal->utime, goal.utime);
+      return true;
+    }
+  }
+  state.goal = goal;
+  state.goal_refusal = why_goal_is_refused(robot_, goal);
+  state.target.forget();
+  state.sight = SightState();
+  state.paper_frames = 0;
+  return true;
+}
+
+void ServoStateMachine::observe_stop(bool latched, const std::string& reason, State& state) const {
+  state.stop_latched = latched;
+  state.stop_reason = reason;
+  if (!latched || !state.goal) return;
+  state.dropped[state.goal->session] = state.goal->id;
+  state.goal.reset();
+}
+
+Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
+  Output output;
+  Status& status = output.status;
+  if (state.goal) {
+    status.goal_session = state.goal->session;
+    status.goal_id = state.goal->id;
+  }
+  if (state.joints.empty()) {
+    status.state = ServoState::kStale;
+    status.reason = "no JOINT_STATE yet";
+    return output;
+  }
+  if (!state.commanded || state.adopt_joints) adopt_joints(state);
+  const std::string stale = why_stale(pose, state);
+  advance_time(pose, state);
+
+  if (!state.stop_latched || *state.stop_latched) {
+    hold(state);
+    // A stopped arm rests short of its command: begin from there.
+    if (state.joints.newest().position != state.command.position) adopt_joints(state);
+    status.state = ServoState::kStopped;
+    status.reason = !state.stop_latched ? "no STOP_STATE of the arm yet" : state.stop_reason;
+    if (status.reason.empty()) status.reason = "STOP is latched";
+  } else if (!stale.empty()) {
+    hold(state);
+    status.state = ServoState::kStale;
+    status.reason = stale;
+  } else {
+    follow_goal(pose, state, status);
+  }
+  output.command = state.command;
+  return output;
+}
+
+void ServoStateMachine::advance_time(const PoseSample& pose, State& state) const {
+  if (pose.frame_session != state.frame_session) {
+    state.frame_session = pose.frame_session;
+    state.seconds = kNominalFrame_s;
+    state.target.forget();
+    state.sight = SightState();
+    state.pose_utime = pose.utime;
+  } else if (pose.utime > state.pose_utime) {
+    state.seconds =
+        std::clamp(seconds_between(state.pose_utime, pose.utime), kShortestFrame_s, kLongestFrame_s);
+    state.pose_utime = pose.utime;
+  }
+}
+
+void ServoStateMachine::adopt_joints(State& state) const {
+  const JointSample& now = state.joints.newest();
+  state.command.position = now.position;
+  state.command_utime = now.utime;
+  state.adopt_joints = false;
+  state.last_step.setZero();
+  state.sight = SightState();
+  state.paper_frames = 0;
+  if (state.commanded) return;
+  state.commanded = true;
+  state.command.speed_limit.setConstant(parameters_.posture.joint_speed);
+  // Until a goal is learned the gripper stays as it is; one that holds something goes on pressing.
+  state.command.gripper_opening = now.contact ? 0.0 : std::clamp(now.gripper_opening, 0.0, arm_.gripper.opening_max);
+  state.command.gripper_force = arm_.gripper.force_max;
+}
+
+std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& state) const {
+  const double pose_age = seconds_between(pose.utime, state.joints.newest().utime);
+  if (pose_age > parameters_.pose_age) {
+    return age_text("TARGET_POSE is older than JOINT_STATE", pose_age, parameters_.pose_age);
+  }
+  if (-pose_age > parameters_.joint_age) {
+    return age_text("JOINT_STATE is older than TARGET_POSE", -pose_age, parameters_.joint_age);
+  }
+  if (pose.frame_session == state.frame_session && pose.utime <= state.pose_utime) {
+    return "TARGET_POSE is not newer than the one before";
+  }
+  return "";
+}
+
+void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status& status) const {
+  const JointSample& now = state.joints.newest();
+  const SettlingParameters& settling = parameters_.sight.settling;
+  const bool elsewhere =
+      (now.position - state.command.position).cwiseAbs().maxCoeff() > parameters_.lost_arm;
+  if (elsewhere && at_rest_since(settling, state.joints, state.command.position, state.command_utime)) {
+    adopt_joints(state);
+  }
+  status.settled = at_rest_since(settling, state.joints, state.command.position, state.command_utime).has_value();
+  if (!state.goal) {
+    status.state = ServoState::kHold;
+    status.reason = "no goal";
+    slow_down(state);
+    return;
+  }
+  const Goal& goal = *state.goal;
+  if (!state.goal_refusal.empty()) {
+    status.state = ServoState::kUnreachable;
+    status.reason = state.goal_refusal;
+    slow_down(state);
+    return;
+  }
+  set_gripper(goal, state);
+  switch (goal.kind) {
+    case GoalKind::kPosture:
+      move_to_posture(pose, state, status);
+      break;
+    case GoalKind::kServo:
+      servo(pose, state, status);
+      break;
+    case GoalKind::kHold:
+    case GoalKind::kUnknown:
+      status.state = ServoState::kHold;
+      slow_down(state);
+      break;
+  }
+}
+
+void ServoStateMachine::hold(State& state) const { state.last_step.setZero(); }
+
+void ServoStateMachine::slow_down(State& state) const {
+  if (state.last_step.isZero()) return;
+  state.waiting += state.seconds;
+  state.last_step *= std::pow(parameters_.slow_down_factor, state.seconds / kNominalFrame_s);
+  if (state.waiting > parameters_.slow_down_time || state.last_step.cwiseAbs().maxCoeff() < kNegligibleStep) {
+    hold(state);
+    return;
+  }
+  state.command.position = inside_limits(arm_, state.command.position + state.last_step);
+  state.command_utime = state.joints.newest().utime;
+}
+
+void ServoStateMachine::move(const JointVector& step, bool at_once, bool streaming, State& state,
+                             Status& status) const {
+  const JointVector next = state.command.position + step;
+  const JointVector lead = (next - state.joints.newest().position).cwiseAbs();
+  int joint = 0;
+  if (lead.maxCoeff(&joint) > parameters_.follow_lead) {
+    hold(state);
+    status.reason = "the arm does not follow: joint " + arm_.joints[static_cast<std::size_t>(joint)].name;
+    return;
+  }
+  state.waiting = 0.0;
+  if (streaming) {
+    state.last_step = step;
+  } else {
+    hold(state);
+  }
+  if (step.isZero()) return;
+  state.command.position = next;
+  state.command_utime = state.joints.newest().utime;
+  const JointVector streamed = (step.cwiseAbs() * (kRampReserve / state.seconds)).cwiseMax(kSlowestRamp);
+  const JointVector slower = streaming ? streamed : JointVector::Constant(parameters_.sight.rate.joint_speed);
+  state.command.speed_limit = at_once ? servo_speed_ : JointVector(slower.cwiseMin(servo_speed_));
+}
+
+void ServoStateMachine::move_to_posture(const PoseSample& pose, State& state, Status& status) const {
+  const Goal& goal = *state.goal;
+  const JointVector q_goal(goal.position[0], goal.position[1], goal.position[2]);
+  status.state = ServoState::kPosture;
+  const double speed_before = state.last_step.cwiseAbs().maxCoeff() / state.seconds;
+  const JointVector step = posture_step(arm_, parameters_.posture, state.command.position, q_goal, state.seconds,
+                                        grip_speed_limit(goal), speed_before);
+  move(step, false, true, state, status);
+  if (step.isZero()) hold(state);
+  const auto rest =
+      at_rest_since(parameters_.sight.settling, state.joints, state.command.position, state.command_utime);
+  status.settled = step.isZero() && rest &&
+                   seconds_between(*rest, state.joints.newest().utime) >= parameters_.sight.settling.settle_time;
+  (void)pose;
+}
+
+void ServoStateMachine::servo(const PoseSample& pose, State& state, Status& status) const {
+  const Goal& goal = *state.goal;
+  const MarkSample* hand = find(pose, hand_name_);
+  const MarkSample* target = find(pose, goal.target);
+  status.state = ServoState::kLost;
+  status.settled = false;
+  status.reason = why_lost(target, goal.target);
+  if (status.reason.empty()) {
+    state.target.see(parameters_.target, target->p_C, target->covariance);
+    status.reason = why_lost(hand, hand_name_);
+  }
+  if (status.reason.empty()) {
+    const double mismatch = kinematic_bias(arm_, state.joints.at(pose.utime), hand->p_C).norm();
+    if (mismatch > parameters_.hand_mismatch) {
+      char text[128];
+      std::snprintf(text, sizeof text, "mark %s: %.3f m from where the joints say it is, allowed %.3f m",
+                    hand_name_.c_str(), mismatch, parameters_.hand_mismatch);
+      status.reason = text;
+    }
+  }
+  if (!status.reason.empty()) {
+    state.sight.window.clear();
+    slow_down(state);
+    return;
+  }
+  if (parameters_.law == Law::kPaper) {
+    servo_paper(pose, *hand, state, status);
+  } else {
+    servo_resolved_rate(pose, *hand, state, status);
+  }
+}
+
+void ServoStateMachine::servo_resolved_rate(const PoseSample& pose, const MarkSample& hand, State& state,
+                                            Status& status) const {
+  const Goal& goal = *state.goal;
+  Sight sight;
+  sight.utime = pose.utime;
+  sight.seconds = state.seconds;
+  sight.q_exposure = state.joints.at(pose.utime);
+  sight.p_CM = hand.p_C;
+  sight.p_CG_goal = state.target.position() + goal.p_TG_C;
+  sight.tolerance = goal.tolerance;
+  sight.grip_speed = grip_speed_limit(goal);
+  sight.speed_before =
+      (robot::grip_point_jacobian(arm_, state.command.position) * state.last_step).norm() / state.seconds;
+  const SightAnswer answer = servo_by_sight(arm_, parameters_.sight, sight, state.joints, state.command.position,
+                                            state.command_utime, state.sight);
+  status.error = answer.error;
+  status.covariance = state.target.covariance() + hand.covariance / answer.frames;
+  status.settled = answer.settled;
+  status.reason = answer.unreachable;
+  if (!answer.unreachable.empty()) {
+    status.state = ServoState::kUnreachable;
+    slow_down(state);
+    return;
+  }
+  status.state = answer.converged ? ServoState::kConverged : ServoState::kServo;
+  move(answer.step, answer.at_once, answer.streaming, state, status);
+}
+
+void ServoStateMachine::servo_paper(const PoseSample& pose, const MarkSample& hand, State& state,
+                                    Status& status) const {
+  const Goal& goal = *state.goal;
+  const SightParameters& parameters = parameters_.sight;
+  const Eigen::Vector3d p_CG_goal = state.target.position() + goal.p_TG_C;
+  const Eigen::Vector3d p_CG = seen_grip_point(arm_, state.joints.at(pose.utime), hand.p_C);
+  status.error = p_CG - p_CG_goal;
+  status.covariance = state.target.covariance() + hand.covariance;
+
+  JointVector q_goal;
+  const Eigen::Vector3d bias = kinematic_bias(arm_, state.joints.at(pose.utime), hand.p_C);
+  status.reason = why_unreachable(arm_, p_CG_goal - bias, parameters.joint_margin, q_goal);
+  if (!status.reason.empty()) {
+    status.state = ServoState::kUnreachable;
+    slow_down(state);
+    return;
+  }
+  const auto* mark = robot_.find_mark(goal.target);
+  const Eigen::Vector3d usual = mark->grip ? mark->grip->p_TG : goal.p_TG_C;
+  const Eigen::Vector3d error =
+      paper_error(*robot_.paper_law, hand.p_C, state.target.position(), goal.p_TG_C - usual);
+  const double tolerance = goal.tolerance > 0.0 ? goal.tolerance : parameters.tolerance;
+  state.paper_frames = error.norm() <= tolerance ? state.paper_frames + 1 : 0;
+  const bool there = state.paper_frames >= parameters.settling.frames;
+  status.state = there ? ServoState::kConverged : ServoState::kServo;
+  status.settled = there;
+  JointVector step = JointVector::Zero();
+  if (!there) {
+    step = paper_step(*robot_.paper_law, error, state.seconds, parameters.rate.joint_speed);
+    step = inside_limits(arm_, state.command.position + step) - state.command.position;
+  }
+  move(step, false, !there, state, status);
+}
+
+void ServoStateMachine::set_gripper(const Goal& goal, State& state) const {
+  state.command.gripper_opening = std::clamp(goal.gripper_opening, 0.0, arm_.gripper.opening_max);
+  state.command.gripper_force = std::clamp(goal.gripper_force, 0.0, arm_.gripper.force_max);
+}
+
+double ServoStateMachine::grip_speed_limit(const Goal& goal) const {
+  const double own = parameters_.sight.rate.grip_speed;
+  return goal.speed > 0.0 ? std::min(goal.speed, own) : own;
+}
+
+}  // namespace markservo::visual_servo

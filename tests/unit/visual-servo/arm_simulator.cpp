@@ -1,0 +1,120 @@
+#include "tests/unit/visual-servo/arm_simulator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/robot/arm_kinematics.hpp"
+
+namespace markservo::visual_servo::test {
+namespace {
+
+constexpr double kTick_s = 0.002;
+constexpr double kStateInterval_s = 0.01;
+constexpr std::int64_t kEpoch_us = 1'700'000'000'000'000;
+
+double towards(double from, double to, double largest) { return from + std::clamp(to - from, -largest, largest); }
+
+std::int64_t utime_of(double seconds) { return kEpoch_us + std::llround(seconds * 1e6); }
+
+}  // namespace
+
+ArmSimulator::ArmSimulator(const robot::RobotDescription& robot, const SimulatorSettings& settings, std::uint64_t seed)
+    : robot_(robot), truth_(*robot.arm), settings_(settings), random_(seed) {
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  for (int axis = 0; axis < 3; ++axis) truth_.p_CA[axis] += settings.base_error * part(random_);
+  truth_.upper_arm *= 1.0 + settings.link_error * part(random_);
+  truth_.forearm *= 1.0 + settings.link_error * part(random_);
+}
+
+void ArmSimulator::place(const JointVector& q, const Eigen::Vector3d& p_CT) {
+  target_ = ramp_ = motor_ = shaft_ = q;
+  p_CT_ = p_CT;
+  path_ = {grip_point()};
+  deepest_y_ = path_.front().y();
+}
+
+PoseSample ArmSimulator::expose() {
+  PoseSample pose;
+  pose.utime = utime_of(frame_time_);
+  pose.frame_session = 1;
+  const Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity() * std::pow(settings_.vision_sigma, 2);
+  pose.marks.push_back({"hand", !hide_hand, hide_hand ? "hidden" : "", robot::hand_mark(truth_, shaft_) + noise(), covariance});
+  pose.marks.push_back({"red_book", !hide_target, hide_target ? "hidden" : "", p_CT_ + noise(), covariance});
+  poses_.push_back(pose);
+  const std::size_t kept = settings_.delay_in_vision ? static_cast<std::size_t>(settings_.delay_frames) : 1;
+  while (poses_.size() > kept) poses_.pop_front();
+  return poses_.front();
+}
+
+std::deque<JointSample> ArmSimulator::take_joint_states() { return std::exchange(states_, {}); }
+
+void ArmSimulator::finish_frame(const std::optional<Command>& command) {
+  const int frames = settings_.delay_in_vision ? 1 : settings_.delay_frames;
+  if (command) pending_.push_back({frame_time_ + frames / settings_.frame_rate - 1e-9, *command});
+  frame_time_ += 1.0 / settings_.frame_rate;
+  run_until(frame_time_);
+}
+
+void ArmSimulator::run_until(double time) {
+  while (time_ + 0.5 * kTick_s < time) tick();
+}
+
+void ArmSimulator::tick() {
+  while (!pending_.empty() && pending_.front().due <= time_ + 1e-9) {
+    target_ = pending_.front().command.position;
+    speed_ = pending_.front().command.speed_limit;
+    pending_.pop_front();
+  }
+  for (int i = 0; i < robot::kNumJoints; ++i) {
+    const auto joint = static_cast<std::size_t>(i);
+    const double servo_step = truth_.joints[joint].speed * kTick_s;
+    ramp_[i] = towards(ramp_[i], target_[i], std::min(speed_[i] * kTick_s, servo_step));
+    const double band = settings_.servos.deadband_rad;
+    const double lag = ramp_[i] - motor_[i];
+    switch (settings_.servos.deadband) {
+      case Deadband::kNone:
+        motor_[i] = towards(motor_[i], ramp_[i], servo_step);
+        break;
+      case Deadband::kStopsAtEdge:
+        motor_[i] = towards(motor_[i], motor_[i] + lag - std::clamp(lag, -band, band), servo_step);
+        break;
+      case Deadband::kRunsHome:
+        if (std::abs(lag) > band) running_[joint] = true;
+        if (running_[joint]) motor_[i] = towards(motor_[i], ramp_[i], servo_step);
+        if (motor_[i] == ramp_[i]) running_[joint] = false;
+        break;
+    }
+    const double play = 0.5 * settings_.servos.backlash_rad;
+    shaft_[i] = std::clamp(shaft_[i], motor_[i] - play, motor_[i] + play);
+  }
+  time_ += kTick_s;
+  path_.push_back(grip_point());
+  deepest_y_ = std::max(deepest_y_, path_.back().y());
+  if (time_ + 1e-9 >= next_state_) {
+    states_.push_back({utime_of(time_), 7, settings_.measured ? shaft_ : ramp_, 0.05, false});
+    next_state_ += kStateInterval_s;
+  }
+}
+
+Eigen::Vector3d ArmSimulator::grip_point() const { return robot::grip_point(truth_, shaft_); }
+
+double ArmSimulator::largest_sweep(const Eigen::Vector3d& goal) const {
+  const Eigen::Vector3d start = path_.front();
+  const Eigen::Vector3d along = (goal - start).normalized();
+  double largest = 0.0;
+  for (const auto& p : path_) {
+    const Eigen::Vector3d off = (p - start) - along * (p - start).dot(along);
+    largest = std::max(largest, off.norm());
+  }
+  return largest;
+}
+
+Eigen::Vector3d ArmSimulator::noise() {
+  std::normal_distribution<double> normal(0.0, settings_.vision_sigma);
+  const double x = normal(random_);
+  const double y = normal(random_);
+  return {x, y, normal(random_)};
+}
+
+}  // namespace markservo::visual_servo::test
