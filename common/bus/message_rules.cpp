@@ -169,8 +169,9 @@ std::string violation(const TaskCommand& command) {
 }
 
 std::string violation(const SimControl& control) {
-  if (control.kind != SimControl::RESET && control.kind != SimControl::SET)
-    return wrong("kind", control.kind, "0 or 1");
+  if (control.kind < SimControl::RESET || control.kind > SimControl::STEP) {
+    return wrong("kind", control.kind, "0, 1 or 2");
+  }
   for (const auto& parameter : control.parameters) {
     if (!std::isfinite(parameter.value)) return not_finite(("parameter " + parameter.name).c_str());
   }

@@ -18,7 +18,7 @@ const std::map<std::string, uint64_t> kFingerprints = {
     {"MarkPatch", 0x6c1fec5028a1c864},         {"MarkView", 0x46980fcad4cd2fd7},
     {"ServiceStatus", 0xd0bd649f66aa77bc},     {"ServoGoal", 0x0d7bf352beca6584},
     {"ServoStatus", 0x9a6b43718a5b82df},       {"SimBody", 0x6a37dc4ea8b4b70b},
-    {"SimControl", 0x461cbecc65dd2a5d},        {"SimMark", 0x4ba91cc7bca1aa43},
+    {"SimControl", 0x56f9bcb0e71f1aa2},        {"SimMark", 0x4ba91cc7bca1aa43},
     {"SimParameter", 0xea7bbdc5e39b2f1e},      {"SimTruth", 0x7405876fcc7267b3},
     {"StereoCalibration", 0x3dc8e13ef086180b}, {"StereoFrame", 0x36e15a60ab50c56c},
     {"StereoMatches", 0x3cad37b01e4827b6},     {"StopRequest", 0xb1ee88ba800ce4e9},

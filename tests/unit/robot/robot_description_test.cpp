@@ -1,0 +1,119 @@
+#include "common/robot/robot_description.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "common/robot/configuration_error.hpp"
+
+namespace markservo::robot {
+namespace {
+
+class RobotFile : public ::testing::Test {
+ protected:
+  RobotFile()
+      : path_(std::filesystem::temp_directory_path() / ("markservo-robot-" + std::to_string(getpid()) + ".yaml")) {
+    std::ifstream file(MARKSERVO_SOURCE_DIR "/config/robot.yaml");
+    std::ostringstream content;
+    content << file.rdbuf();
+    text_ = content.str();
+  }
+  ~RobotFile() override { std::filesystem::remove(path_); }
+
+  // The file with its first `from` replaced.
+  void change(const std::string& from, const std::string& to) {
+    const auto at = text_.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text_.replace(at, from.size(), to);
+  }
+
+  RobotDescription load() {
+    std::ofstream(path_) << text_;
+    return load_robot_description(path_.string());
+  }
+
+  // The one line that refuses the file.
+  std::string refusal() {
+    try {
+      load();
+    } catch (const ConfigurationError& error) {
+      const std::string what = error.what();
+      EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+      EXPECT_NE(what.find(path_.string()), std::string::npos) << what;
+      EXPECT_NE(what.find("allowed"), std::string::npos) << what;
+      return what;
+    }
+    ADD_FAILURE() << "was accepted";
+    return {};
+  }
+
+  std::filesystem::path path_;
+  std::string text_;
+};
+
+TEST_F(RobotFile, OfTheProjectIsAccepted) {
+  const auto robot = load();
+  EXPECT_DOUBLE_EQ(robot.cameras.stereo.baseline, 0.065);
+  ASSERT_TRUE(robot.arm);
+  EXPECT_DOUBLE_EQ(robot.arm->upper_arm, 0.20);
+  EXPECT_NEAR(robot.arm->joints[0].max, M_PI / 2.0, 1e-12);
+  ASSERT_NE(robot.find_mark("red_book"), nullptr);
+  EXPECT_EQ(robot.find_mark("green_book"), nullptr);
+}
+
+TEST_F(RobotFile, WithoutAnArmServesTwoCamerasAndMarks) {
+  text_ = text_.substr(0, text_.find("arm:")) + text_.substr(text_.find("marks:"));
+  text_ = text_.substr(0, text_.find("# What counts as a grip"));
+  EXPECT_FALSE(load().arm);
+}
+
+TEST_F(RobotFile, WithAMissingKeyIsRefused) {
+  change("  baseline: 0.065", "");
+  EXPECT_NE(refusal().find("'cameras.baseline' is missing"), std::string::npos);
+}
+
+TEST_F(RobotFile, WithAWrongTypeIsRefused) {
+  change("baseline: 0.065", "baseline: wide");
+  EXPECT_NE(refusal().find("'wide'"), std::string::npos);
+}
+
+TEST_F(RobotFile, WithANegativeLengthIsRefused) {
+  change("links: [0.15, 0.20, 0.20]", "links: [0.15, -0.20, 0.20]");
+  EXPECT_NE(refusal().find("'arm.links[1]' is -0.20"), std::string::npos);
+}
+
+TEST_F(RobotFile, WithAnUnknownKeyIsRefused) {
+  change("  baseline: 0.065", "  baseline: 0.065\n  base_line: 0.065");
+  EXPECT_NE(refusal().find("'cameras.base_line' is unknown"), std::string::npos);
+}
+
+TEST_F(RobotFile, WithNotANumberIsRefused) {
+  change("baseline: 0.065", "baseline: .nan");
+  EXPECT_NE(refusal().find("cameras.baseline"), std::string::npos);
+}
+
+TEST_F(RobotFile, WithTheSameMarkTwiceIsRefused) {
+  change("name: yellow_book", "name: red_book");
+  EXPECT_NE(refusal().find("red_book"), std::string::npos);
+}
+
+TEST_F(RobotFile, WithAHomePostureBeyondALimitIsRefused) {
+  change("home_deg: [0.0, 120.0, -150.0]", "home_deg: [0.0, 170.0, -150.0]");
+  EXPECT_NE(refusal().find("home_deg[1]"), std::string::npos);
+}
+
+TEST_F(RobotFile, ThatIsNotYamlIsRefused) {
+  text_ = "cameras: [";
+  EXPECT_NE(refusal().find("line"), std::string::npos);
+}
+
+TEST_F(RobotFile, ThatIsNotThereIsRefused) {
+  EXPECT_THROW(load_robot_description("/nowhere/robot.yaml"), ConfigurationError);
+}
+
+}  // namespace
+}  // namespace markservo::robot
