@@ -1,0 +1,13 @@
+#pragma once
+
+#include <markservo/MarkDetection.hpp>
+#include <markservo/StereoFrame.hpp>
+
+#include "services/mark-detector/mark_detector.hpp"
+
+namespace markservo::mark_detector {
+
+// The answer to `frame`; session and seq are the publisher's to fill.
+MarkDetection make_message(const StereoFrame& frame, const Output& output);
+
+}  // namespace markservo::mark_detector

@@ -1,0 +1,188 @@
+#include "services/mark-detector/mark_detector_node.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <opencv2/imgcodecs.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "common/robot/configuration_error.hpp"
+#include "services/mark-detector/detection_message.hpp"
+#include "services/mark-detector/mark_option.hpp"
+#include "services/mark-detector/picture.hpp"
+
+namespace markservo::mark_detector {
+namespace {
+
+cv::Mat read_picture(const std::string& option, const std::string& path) {
+  cv::Mat image;
+  try {
+    image = cv::imread(path, cv::IMREAD_COLOR);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  if (image.empty()) throw ConfigurationError(option + " '" + path + "': cannot be read; allowed: a picture file");
+  return image;
+}
+
+void write_picture(const std::string& option, const std::string& path, const cv::Mat& image) {
+  bool written = false;
+  try {
+    written = cv::imwrite(path, image);
+  } catch (const cv::Exception&) {
+    written = false;
+  }
+  if (!written) throw ConfigurationError(option + " '" + path + "': cannot be written; allowed: a picture file");
+}
+
+// One side of a frame as an image; raw sides are not copied and must outlive it. Throws std::runtime_error.
+cv::Mat decode(const StereoFrame& frame, const std::vector<uint8_t>& side, const char* name) {
+  if (frame.encoding == StereoFrame::ENCODING_BGR8) {
+    return {frame.height, frame.width, CV_8UC3, const_cast<uint8_t*>(side.data())};
+  }
+  cv::Mat image;
+  try {
+    if (!side.empty()) image = cv::imdecode(side, cv::IMREAD_COLOR);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  if (image.empty()) throw std::runtime_error(std::string(name) + " is no JPEG that can be read");
+  if (image.cols != frame.width || image.rows != frame.height) {
+    throw std::runtime_error(std::string(name) + "'s JPEG is " + std::to_string(image.cols) + " x " +
+                             std::to_string(image.rows) + " px; allowed: the frame's " + std::to_string(frame.width) +
+                             " x " + std::to_string(frame.height) + " px");
+  }
+  return image;
+}
+
+}  // namespace
+
+void MarkDetectorNode::add_options(CLI::App& app) {
+  app.add_flag("--no-equalise", no_equalise_, "Take images as they are, without histogram equalisation");
+  app.add_option("--mark", mark_texts_,
+                 "Look for this instead of the robot's marks: NAME=hue_min:hue_max:sat_min:sat_max:val_min:val_max"
+                 "[:free], hue in degrees (wraps), saturation and value 0 to 1");
+  app.add_option("--min-area", parameters_.min_area, "Smallest blob that can be a mark, px")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--chroma-min", parameters_.chroma_min, "Least difference of the channels that tells a colour, levels")
+      ->check(CLI::Range(0, 255))
+      ->capture_default_str();
+  app.add_option("--row-tolerance", parameters_.selection.row_tolerance,
+                 "How far a mark's rows may differ between the images, px")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--memory-frames", parameters_.memory_frames,
+                 "Frames for which the place of an unseen mark is remembered")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--patch-limit", parameters_.patch.limit, "Largest patch, px a side; larger marks are averaged down")
+      ->check(CLI::Range(1, 16384))
+      ->capture_default_str();
+  app.add_option(
+         "--patch-budget", patch_budget_,
+         "All patches of a pair together, bytes; 0: 131072, growing with the square of a --patch-limit above 128")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+
+  const char* const picture = "Picture without a bus";
+  app.add_option("--image", image_file_, "Look at this picture, print JSON and exit")
+      ->configurable(false)
+      ->group(picture);
+  app.add_option("--right", right_file_, "The right camera's picture")->configurable(false)->group(picture);
+  app.add_option("--annotate", annotated_file_, "Write the picture with what was found")
+      ->configurable(false)
+      ->group(picture);
+  app.add_option("--mask-dir", mask_folder_, "Write each mark's mask into this folder")
+      ->configurable(false)
+      ->group(picture);
+  app.add_flag("--all-blobs", all_blobs_, "Also every blob of a mark's colour, in JSON and masks")
+      ->configurable(false)
+      ->group(picture);
+}
+
+void MarkDetectorNode::configure(const std::string& robot_file) {
+  std::vector<robot::MarkDescription> marks;
+  std::set<std::string> names;
+  for (const std::string& text : mark_texts_) {
+    marks.push_back(parse_mark(text));
+    if (!names.insert(marks.back().name).second) {
+      throw ConfigurationError("--mark '" + text + "': named twice; allowed: a name of its own for each mark");
+    }
+  }
+  constexpr std::size_t kMaxMarks = 8;  // as in a robot's description
+  if (marks.size() > kMaxMarks) throw ConfigurationError("--mark: given more than 8 times; allowed: 1 to 8 marks");
+  if (marks.empty()) marks = robot::load_robot_description(robot_file).marks;
+  if (image_file_.empty()) {
+    for (const auto& [option, value] : {std::pair{"--right", right_file_}, std::pair{"--annotate", annotated_file_},
+                                        std::pair{"--mask-dir", mask_folder_}}) {
+      if (!value.empty())
+        throw ConfigurationError(std::string(option) + ": without --image; allowed: with --image FILE");
+    }
+  }
+  parameters_.equalise = !no_equalise_;
+  if (patch_budget_ > 0) {
+    parameters_.patch.budget = patch_budget_;
+  } else {
+    const PatchParameters usual;
+    const int64_t factor = std::max<int64_t>(usual.limit, parameters_.patch.limit);
+    parameters_.patch.budget = usual.budget * factor * factor / (static_cast<int64_t>(usual.limit) * usual.limit);
+  }
+  detector_.emplace(std::move(marks), parameters_);
+}
+
+std::optional<int> MarkDetectorNode::run_alone() {
+  if (image_file_.empty()) return std::nullopt;
+  const cv::Mat left = read_picture("--image", image_file_);
+  cv::Mat right;
+  if (!right_file_.empty()) {
+    right = read_picture("--right", right_file_);
+    if (right.size() != left.size()) {
+      throw ConfigurationError("--right '" + right_file_ + "': " + std::to_string(right.cols) + " x " +
+                               std::to_string(right.rows) + " px; allowed: the size of --image, " +
+                               std::to_string(left.cols) + " x " + std::to_string(left.rows) + " px");
+    }
+  }
+  Input input;
+  input.left = view_of(left);
+  if (!right.empty()) input.right = view_of(right);
+  const Output output = detector_->step(input, state_);
+
+  nlohmann::ordered_json json{{"image", image_file_}};
+  if (!right.empty()) json["right"] = right_file_;
+  json["width"] = left.cols;
+  json["height"] = left.rows;
+  json["equalised"] = parameters_.equalise;
+  json["marks"] = report(output, !right.empty(), all_blobs_);
+  std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
+
+  if (!annotated_file_.empty()) write_picture("--annotate", annotated_file_, annotate(left, right, output));
+  if (!mask_folder_.empty()) {
+    std::error_code failed;
+    std::filesystem::create_directories(mask_folder_, failed);
+    for (const NamedMask& mask : masks(output, left.size(), all_blobs_)) {
+      write_picture("--mask-dir", (std::filesystem::path(mask_folder_) / mask.name).string(), mask.mask);
+    }
+  }
+  return bus::kExitStopped;
+}
+
+void MarkDetectorNode::start(bus::Bus& bus) {
+  publisher_.emplace(bus.advertise<MarkDetection>("MARK_DETECTION"));
+  bus.on_latest<StereoFrame>("STEREO_FRAME", [this](const StereoFrame& frame) { handle(frame); });
+}
+
+void MarkDetectorNode::handle(const StereoFrame& frame) {
+  const cv::Mat left = decode(frame, frame.left, "left");
+  const cv::Mat right = decode(frame, frame.right, "right");
+  Input input;
+  input.left = view_of(left);
+  input.right = view_of(right);
+  const StereoCalibration& c = frame.calibration;
+  input.stereo = geometry::StereoCamera{c.fx, c.fy, c.cx_left, c.cx_right, c.cy, c.baseline};
+  MarkDetection detection = make_message(frame, detector_->step(input, state_));
+  publisher_->publish(detection);
+}
+
+}  // namespace markservo::mark_detector

@@ -1,0 +1,43 @@
+#pragma once
+
+// Reads STEREO_FRAME, writes MARK_DETECTION: one for each frame that is worked on. Or, without a bus, looks at a
+// picture.
+
+#include <markservo/MarkDetection.hpp>
+#include <markservo/StereoFrame.hpp>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/bus/service.hpp"
+#include "services/mark-detector/mark_detector.hpp"
+
+namespace markservo::mark_detector {
+
+class MarkDetectorNode final : public bus::Service {
+ public:
+  void add_options(CLI::App& app) override;
+  void configure(const std::string& robot_file) override;
+  std::optional<int> run_alone() override;
+  void start(bus::Bus& bus) override;
+
+ private:
+  void handle(const StereoFrame& frame);
+
+  bool no_equalise_ = false;
+  int64_t patch_budget_ = 0;  // bytes; 0: grows with the patch limit
+  std::vector<std::string> mark_texts_;
+  std::string image_file_;
+  std::string right_file_;
+  std::string annotated_file_;
+  std::string mask_folder_;
+  bool all_blobs_ = false;
+
+  Parameters parameters_;
+  std::optional<MarkDetector> detector_;
+  State state_;
+  std::optional<bus::Publisher<MarkDetection>> publisher_;
+};
+
+}  // namespace markservo::mark_detector

@@ -1,0 +1,109 @@
+#include "services/mark-detector/mark_selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <limits>
+
+namespace markservo::mark_detector {
+namespace {
+
+double ratio(double a, double b) {
+  return std::max(a, b) / std::max(1.0, std::min(a, b));
+}
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+// Squared distance of a pair from where the mark was, px^2.
+double distance_2(const Shape& left, const Shape& right, const LastSeen& last) {
+  const double du_left = left.u - last.u_left;
+  const double dv = left.v - last.v_left;
+  const double du_right = right.u - last.u_right;
+  return du_left * du_left + dv * dv + du_right * du_right;
+}
+
+// The blob of one image alone: nearest to (u, v), or the largest.
+std::size_t select_single(const std::vector<Blob>& blobs, const std::optional<LastSeen>& last, bool is_left) {
+  if (!last) return 0;
+  const double u = is_left ? last->u_left : last->u_right;
+  const auto distance = [&](const Blob& blob) { return std::hypot(blob.shape.u - u, blob.shape.v - last->v_left); };
+  const auto nearest = std::min_element(blobs.begin(), blobs.end(),
+                                        [&](const Blob& a, const Blob& b) { return distance(a) < distance(b); });
+  return static_cast<std::size_t>(nearest - blobs.begin());
+}
+
+}  // namespace
+
+bool is_clipped(const Shape& shape, int image_width, int image_height) {
+  return shape.x <= 0 || shape.y <= 0 || shape.x + shape.width >= image_width || shape.y + shape.height >= image_height;
+}
+
+std::string inconsistency(const Shape& left, const Shape& right, const SelectionContext& context,
+                          const SelectionParameters& parameters) {
+  const bool clipped = is_clipped(left, context.image_width, context.image_height) ||
+                       is_clipped(right, context.image_width, context.image_height);
+  const double rows = std::abs(left.v - right.v);
+  const double rows_allowed =
+      parameters.row_tolerance + parameters.row_tolerance_of_height * std::max(left.height, right.height);
+  if (rows > rows_allowed) return text("the blobs' rows differ by %.1f px, allowed %.1f px", rows, rows_allowed);
+
+  const double disparity = left.u - right.u - context.principal_offset;
+  if (disparity <= 0.0) return text("the blobs' disparity is %.1f px, allowed above 0 px", disparity);
+  // What the border cuts off is not the same in both images.
+  if (clipped) return {};
+
+  if (ratio(left.height, right.height) > parameters.height_ratio_max) {
+    return text("the blobs' heights are %d and %d px, allowed ratio %.2f", left.height, right.height,
+                parameters.height_ratio_max);
+  }
+  if (ratio(left.area, right.area) > parameters.area_ratio_max) {
+    return text("the blobs' areas are %.0f and %.0f px, allowed ratio %.2f", left.area, right.area,
+                parameters.area_ratio_max);
+  }
+  if (context.size_per_baseline) {
+    const double edge = *context.size_per_baseline * disparity;  // px: similar triangles with the baseline
+    const double expected = edge * edge;
+    const double area = 0.5 * (left.area + right.area);
+    if (area < parameters.expected_area_min * expected || area > parameters.expected_area_max * expected) {
+      return text(
+          "the blobs have %.0f px where the mark's size and their disparity of %.0f px make %.0f px, "
+          "allowed %.0f to %.0f %%",
+          area, disparity, expected, 100.0 * parameters.expected_area_min, 100.0 * parameters.expected_area_max);
+    }
+  }
+  return {};
+}
+
+Selection select_pair(const std::vector<Blob>& left, const std::vector<Blob>& right, const SelectionContext& context,
+                      const std::optional<LastSeen>& last, const SelectionParameters& parameters) {
+  Selection selection;
+  if (left.empty() || right.empty()) {
+    if (!left.empty()) selection.left = select_single(left, last, true);
+    if (!right.empty()) selection.right = select_single(right, last, false);
+    return selection;
+  }
+  const auto limit = static_cast<std::size_t>(std::max(1, parameters.max_candidates));
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t l = 0; l < std::min(limit, left.size()); ++l) {
+    for (std::size_t r = 0; r < std::min(limit, right.size()); ++r) {
+      const Shape& a = left[l].shape;
+      const Shape& b = right[r].shape;
+      const double score = last ? -distance_2(a, b, *last) : a.area + b.area;
+      if (score <= best || !inconsistency(a, b, context, parameters).empty()) continue;
+      best = score;
+      selection.left = l;
+      selection.right = r;
+    }
+  }
+  // The largest two are what a person would have expected to match.
+  if (!selection.left) selection.reason = inconsistency(left[0].shape, right[0].shape, context, parameters);
+  return selection;
+}
+
+}  // namespace markservo::mark_detector

@@ -1,0 +1,105 @@
+#include "services/mark-detector/patch_cutter.hpp"
+
+#include <algorithm>
+
+namespace markservo::mark_detector {
+namespace {
+
+constexpr int kReservedSide = 32;  // patch pixels a side that even the least important mark gets
+
+// A scale that can be had, and what both patches take; 0 for none.
+struct Fit {
+  int scale = 0;
+  int64_t bytes = 0;
+};
+
+struct Span {
+  int begin = 0;
+  int count = 0;  // patch pixels
+};
+
+// Whole patch pixels over [box_begin - margin, box_end + margin), inside [0, size).
+Span cover(int box_begin, int box_end, int margin, int scale, int size) {
+  const int begin = std::max(0, box_begin - margin);
+  const int end = std::min(size, box_end + margin);
+  Span span;
+  span.count = std::min((end - begin + scale - 1) / scale, size / scale);
+  span.begin = std::min(begin, size - span.count * scale);
+  return span;
+}
+
+}  // namespace
+
+PatchFrame frame_patch(const Shape& box, const PatchParameters& parameters, int scale, int image_width,
+                       int image_height) {
+  const Span columns = cover(box.x, box.x + box.width, parameters.margin, scale, image_width);
+  const Span rows = cover(box.y, box.y + box.height, parameters.margin, scale, image_height);
+  return {columns.begin, rows.begin, scale, columns.count, rows.count};
+}
+
+std::vector<int> plan_scales(const std::vector<PatchRequest>& requests, const PatchParameters& parameters,
+                             int image_width, int image_height) {
+  const int greatest = std::max(1, std::min(image_width, image_height));
+  // The least scale whose patches have at most `side` px and together at most `budget` bytes.
+  const auto fit = [&](const PatchRequest& request, int side, int64_t budget) {
+    for (int scale = 1; scale <= greatest; ++scale) {
+      const PatchFrame left = frame_patch(request.left, parameters, scale, image_width, image_height);
+      const PatchFrame right = frame_patch(request.right, parameters, scale, image_width, image_height);
+      if (std::max({left.width, left.height, right.width, right.height}) > side) continue;
+      const int64_t bytes = left.bytes() + right.bytes();
+      if (bytes <= budget) return Fit{scale, bytes};
+    }
+    return Fit{};
+  };
+
+  std::vector<int64_t> reserved;
+  int64_t left_over = parameters.budget;
+  for (const PatchRequest& request : requests) {
+    reserved.push_back(fit(request, std::min(kReservedSide, parameters.limit), left_over).bytes);
+    left_over -= reserved.back();
+  }
+  std::vector<int> scales;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const Fit best = fit(requests[i], parameters.limit, left_over + reserved[i]);
+    left_over += reserved[i] - best.bytes;
+    scales.push_back(best.scale);
+  }
+  return scales;
+}
+
+Patch cut_patch(const ImageView& image, const Region& mark, const PatchFrame& frame) {
+  Patch patch{frame.x, frame.y, frame.scale, frame.width, frame.height, {}, {}};
+  const auto width = static_cast<std::size_t>(frame.width);
+  const auto height = static_cast<std::size_t>(frame.height);
+  const std::size_t mask_stride = (width + 7) / 8;
+  patch.bgr.resize(width * height * 3);
+  patch.mask.assign(mask_stride * height, 0);
+  const int n = frame.scale * frame.scale;
+  std::vector<int> sums(width * 4);  // b, g, r, pixels of the mark
+  for (std::size_t j = 0; j < height; ++j) {
+    std::fill(sums.begin(), sums.end(), 0);
+    for (int dv = 0; dv < frame.scale; ++dv) {
+      const int v = frame.y + static_cast<int>(j) * frame.scale + dv;
+      const uint8_t* p = image.pixel(frame.x, v);
+      int u = frame.x;
+      for (std::size_t i = 0; i < width; ++i) {
+        for (int du = 0; du < frame.scale; ++du, ++u, p += 3) {
+          for (std::size_t c = 0; c < 3; ++c) sums[4 * i + c] += p[c];
+          sums[4 * i + 3] += mark.test(u, v) ? 1 : 0;
+        }
+      }
+    }
+    for (std::size_t i = 0; i < width; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        patch.bgr[3 * (j * width + i) + c] = static_cast<uint8_t>((sums[4 * i + c] + n / 2) / n);
+      }
+      if (2 * sums[4 * i + 3] >= n) {
+        uint8_t& byte = patch.mask[j * mask_stride + i / 8];
+        byte = static_cast<uint8_t>(byte | (1U << (i % 8)));
+      }
+    }
+  }
+  return patch;
+}
+
+}  // namespace markservo::mark_detector

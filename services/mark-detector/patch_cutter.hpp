@@ -1,0 +1,62 @@
+#pragma once
+
+// Patches for matching: a mark's surroundings, small enough to send.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "services/mark-detector/image_view.hpp"
+#include "services/mark-detector/region.hpp"
+
+namespace markservo::mark_detector {
+
+struct PatchParameters {
+  int margin = 8;           // px around the mark's box: half a matching window of 15 px
+  int limit = 128;          // patch pixels a side
+  int64_t budget = 131072;  // bytes of all patches of one image pair: a message that survives default socket buffers
+};
+
+// Patch pixel (i, j) averages the image's columns x + i * scale .. x + (i + 1) * scale - 1, rows likewise.
+struct Patch {
+  int x = 0;
+  int y = 0;
+  int scale = 0;  // 0: no patch
+  int width = 0;
+  int height = 0;
+  std::vector<uint8_t> bgr;
+  std::vector<uint8_t> mask;  // a bit a patch pixel, rows padded to bytes, lowest bit first: half or more is mark
+};
+
+// Where a patch lies, before it is cut.
+struct PatchFrame {
+  int x = 0;
+  int y = 0;
+  int scale = 0;
+  int width = 0;
+  int height = 0;
+
+  int64_t bytes() const { return static_cast<int64_t>(height) * (static_cast<int64_t>(width) * 3 + (width + 7) / 8); }
+};
+
+// The frame around `box` and its margin at that scale, as far as the image reaches. `scale` at least 1 and at most the
+// image's smaller side.
+PatchFrame frame_patch(const Shape& box, const PatchParameters& parameters, int scale, int image_width,
+                       int image_height);
+
+// A pair of boxes to be cut at one common scale.
+struct PatchRequest {
+  Shape left;
+  Shape right;
+};
+
+// The scale of each request's pair, 0 for no patch. Requests come in order of importance: each takes the least scale
+// that keeps within the limit and the budget, less 32 patch pixels a side for each that comes after.
+std::vector<int> plan_scales(const std::vector<PatchRequest>& requests, const PatchParameters& parameters,
+                             int image_width, int image_height);
+
+// Cuts the patch and averages it, rounding to nearest.
+Patch cut_patch(const ImageView& image, const Region& mark, const PatchFrame& frame);
+
+}  // namespace markservo::mark_detector

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "services/mark-detector/image_view.hpp"
+#include "services/mark-detector/region.hpp"
+
+namespace markservo::mark_detector {
+
+// How far the mark's colour stands off from what is around it, 0 (not at all) to 1: Otsu's ratio of the variance
+// between two classes to the total variance, with equal weights, of chromaticity (R - G, G - B) projected on the line
+// between the classes' means. The classes are the mark and the rest of a window a quarter of the mark's size wider
+// (at least 8 px) on each side; blended pixels along the outline count for neither. 0 if there is no such rest.
+double separability(const ImageView& image, const Region& mark);
+
+}  // namespace markservo::mark_detector
