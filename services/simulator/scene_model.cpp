@@ -59,7 +59,7 @@ std::string header(const robot::CameraDescription& cameras, double ambient) {
          "<compiler angle=\"radian\" autolimits=\"true\"/>\n"
          "<option timestep=\"" +
          mjcf(kTimeStep) +
-         "\" cone=\"elliptic\" impratio=\"10\"/>\n"
+         "\" integrator=\"implicit\" cone=\"elliptic\" impratio=\"40\"/>\n"
          "<statistic extent=\"1\" center=\"0 0.3 0\" meansize=\"0.1\"/>\n"
          "<visual><global offwidth=\"" +
          std::to_string(cameras.width) + "\" offheight=\"" + std::to_string(cameras.height) + "\" fovy=\"" +
@@ -123,14 +123,14 @@ std::string print_geom(const robot::MarkDescription& mark, const Eigen::Isometry
 }
 
 std::string room_bodies(const robot::RobotDescription& robot, const Scene& scene) {
-  constexpr double kRoomSize = 4.0;  // m
+  constexpr double kRoomSize = 2.4;  // m
   const RoomScene& room = scene.room;
-  const double wall_height = 2.5;
+  constexpr double kWallHeight = 1.8;  // m
   Eigen::Isometry3d wall = Eigen::Isometry3d::Identity();
-  wall.translation() << 0.0, room.wall_y + 0.02, room.floor_z + 0.5 * wall_height;
+  wall.translation() << 0.0, room.wall_y + 0.02, room.floor_z + 0.5 * kWallHeight;
   wall.rotate(kPrintTurn);
   std::string out =
-      "<geom name=\"wall\" " + placed(wall) + " " + box({kRoomSize, wall_height, 0.04}) + " material=\"wall\"/>\n";
+      "<geom name=\"wall\" " + placed(wall) + " " + box({kRoomSize, kWallHeight, 0.04}) + " material=\"wall\"/>\n";
   out += "<geom name=\"floor\" " + at({0.0, room.wall_y - 0.5 * kRoomSize, room.floor_z - 0.02}) + " " +
          box({kRoomSize, kRoomSize, 0.04}) + " material=\"floor\"/>\n";
   int number = 0;
@@ -235,9 +235,9 @@ std::string forearm_body(const robot::RobotDescription& robot, const ArmDescript
     out += "<geom name=\"hand_mark_plate\" " + placed(X_LP) + " " +
            box({mark.size + 2 * kPlateBorder, kPlateThickness, mark.size + 2 * kPlateBorder}) + " mass=\"0.005\" " +
            coloured(kDark) + " material=\"matt\" " + kArmContact + "/>\n";
-    const Vector3d stalk_foot(0.0, palm_front - 0.5 * palm_length, 0.0);
-    const Vector3d stalk_head = X_LP * Vector3d(0.0, 0.003, 0.0);
-    out += "<geom name=\"hand_mark_stalk\" type=\"capsule\" size=\"0.003\" fromto=\"" + mjcf(stalk_foot) + " " +
+    const Vector3d stalk_foot(0.0, palm_front - 0.004, 0.0);
+    const Vector3d stalk_head = X_LP * Vector3d(0.0, 0.005, -0.004);
+    out += "<geom name=\"hand_mark_stalk\" type=\"capsule\" size=\"0.0025\" fromto=\"" + mjcf(stalk_foot) + " " +
            mjcf(stalk_head) + "\" mass=\"0.005\" " + coloured(kMetal) + " material=\"matt\" " + kArmContact + "/>\n";
   }
   out += std::string("<site ") + named(kGripSite) + " " + at({0.0, arm.forearm, 0.0}) +

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/robot/configuration_error.hpp"
+#include "services/simulator/box_contacts.hpp"
 #include "services/simulator/scene_model.hpp"
 
 namespace markservo::simulator {
@@ -80,6 +81,9 @@ World::~World() = default;
 World::World(const robot::RobotDescription& robot, const Scene& scene, const Settings& settings, std::uint64_t seed)
     : robot_(robot), settings_(settings) {
   check_against_robot(settings, robot);
+  drop_impossible_box_contacts();
+  // MuJoCo would write a log file into the working folder; step() looks at the warnings' counters instead.
+  mju_user_warning = [](const char*) {};
   const SceneModel scene_model = write_scene_model(robot, scene, settings, seed);
   model_.reset(compile(scene_model));
   paint(model_.get(), scene_model);
@@ -185,6 +189,10 @@ void World::step() {
   drive_joints();
   drive_gripper();
   mj_step2(model_.get(), data_.get());
+  // MuJoCo answers divergence by putting its own state back to the start, silently: that must never pass as physics.
+  for (const int warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC}) {
+    if (data_->warning[warning].number > 0) throw std::runtime_error("the simulated physics diverged");
+  }
 }
 
 const char* World::body_name(int geom) const {
