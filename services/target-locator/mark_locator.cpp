@@ -1,0 +1,282 @@
+#include "services/target-locator/mark_locator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "services/target-locator/colour_projection.hpp"
+#include "services/target-locator/epipolar_rows.hpp"
+#include "services/target-locator/mark_centre.hpp"
+#include "services/target-locator/point_cloud_centre.hpp"
+
+namespace markservo::target_locator {
+namespace {
+
+constexpr int kMaskMargin = 2;         // patch px at the outline that may show the background
+constexpr double kLargestSlope = 0.4;  // px of disparity per px that boxes are believed about
+constexpr int kSmallestPatch = 8;      // patch px along each axis
+
+// Everything both methods need of one mark.
+struct Views {
+  StereoPatch patch;
+  Mask left_mask;
+  Mask right_mask;
+  std::vector<Feature> features;
+};
+
+bool usable(const View& view) {
+  const PatchFrame& frame = view.patch.frame;
+  return !view.patch.empty() && view.patch.width >= kSmallestPatch && view.patch.height >= kSmallestPatch &&
+         frame.scale > 0.0 && std::isfinite(frame.x) && std::isfinite(frame.y) && view.width > 0.0 && view.height > 0.0;
+}
+
+// Could the two boxes be one mark's? Rows must overlap, sizes be of one order, and the mark lie in front.
+bool boxes_agree(const MarkObservation& observation, const geometry::StereoCamera& camera) {
+  const View& left = observation.left;
+  const View& right = observation.right;
+  const double height = std::max(left.height, right.height);
+  if (std::min(left.height, right.height) < 0.4 * height) return false;
+  if (std::min(left.width, right.width) < 0.4 * std::max(left.width, right.width)) return false;
+  if (std::abs(left.centre_v() - right.centre_v()) > 0.5 * height) return false;
+  return (left.centre_u() - camera.cx_left) - (right.centre_u() - camera.cx_right) > 0.0;
+}
+
+Views prepare(const MarkObservation& observation, const LocatorParameters& parameters) {
+  Views views;
+  views.left_mask = unpack_mask(observation.left.patch);
+  views.right_mask = unpack_mask(observation.right.patch);
+  const Eigen::Vector3f axis = texture_axis(observation.left.patch, views.left_mask);
+  StereoPatch& patch = views.patch;
+  patch.left = project_colours(observation.left.patch, axis);
+  patch.right = project_colours(observation.right.patch, axis);
+  patch.left_frame = observation.left.patch.frame;
+  patch.right_frame = observation.right.patch.frame;
+  patch.left_gradients = sobel_gradients(patch.left);
+  patch.right_rows = align_rows(patch.right, patch.right_frame, patch.left_frame, patch.left.height, 0.0);
+  const CornerMeasures measures = foerstner(patch.left_gradients, parameters.features.trace_floor);
+  views.features = find_features(measures, erode(views.left_mask, kMaskMargin), parameters.features);
+  return views;
+}
+
+DisparityPlane plane_of_boxes(const View& left, const View& right) {
+  DisparityPlane plane;
+  plane.u0 = left.centre_u();
+  plane.v0 = left.centre_v();
+  plane.at_centre = left.centre_u() - right.centre_u();
+  plane.along_u = std::clamp(1.0 - right.width / left.width, -kLargestSlope, kLargestSlope);
+  return plane;
+}
+
+// How far beyond chance the features lie off the plane: 1 when their own sigmas explain it.
+double plane_misfit(std::vector<double> squared_scores) {
+  if (squared_scores.empty()) return 1.0;
+  const auto middle = squared_scores.begin() + static_cast<std::ptrdiff_t>(squared_scores.size() / 2);
+  std::nth_element(squared_scores.begin(), middle, squared_scores.end());
+  constexpr double kMedianOfChiSquare = 0.455;
+  // Below 4 the features' own sigmas may simply be a little small.
+  return std::max(1.0, *middle / kMedianOfChiSquare / 4.0);
+}
+
+// The centre in one image, from the outline if it is whole, else from the mask; with what is missing in its covariance.
+std::optional<ImageCentre> image_centre(const View& view, const Mask& mask, const DisparityPlane& plane,
+                                        const geometry::StereoCamera& camera, CameraSide side, double size,
+                                        const LocatorParameters& parameters) {
+  const Patch& patch = view.patch;
+  std::optional<ImageCentre> centre = centre_of_mask(mask, patch.frame, plane, camera, side);
+  if (!centre) return std::nullopt;
+  const double size_px =
+      size > 0.0 ? size * (plane.at(plane.u0, plane.v0) - (camera.cx_left - camera.cx_right)) / camera.baseline : 0.0;
+  double missing = 0.0;  // of the square's edge, relative
+  std::optional<SquareOutline> outline;
+  const Contrast contrast = mark_contrast(patch, mask);
+  if (contrast.valid) {
+    PlaneImage plane_image = project_colours(patch, contrast.weights);
+    for (float& value : plane_image.data) value += contrast.offset;
+    outline = fit_square(plane_image, mask, patch.frame, parameters.outline);
+  }
+  if (outline) {
+    centre->position = outline->centre;
+    // Both views see the same print at the outline, so that their errors are alike and do not average out.
+    centre->covariance = 2.0 * outline->covariance;
+    SquareOutline in_left = *outline;
+    if (side == CameraSide::kRight) {
+      for (auto& corner : in_left.corners) corner.x() += plane.at(corner.x(), corner.y()) / (1.0 - plane.along_u);
+    }
+    const auto lengths = side_lengths(in_left, plane, camera);
+    if (!lengths) return std::nullopt;
+    const double expected = size > 0.0 ? size : lengths->mean();
+    missing = (*lengths / expected - Eigen::Vector4d::Ones()).cwiseAbs().maxCoeff();
+  } else if (size > 0.0) {
+    const auto area = area_on_plane(mask, patch.frame, plane, camera, side);
+    missing = area ? std::abs(1.0 - std::sqrt(*area) / size) : 1.0;
+  } else {
+    missing = 0.1;
+  }
+  if (missing > parameters.size_tolerance || !outline) {
+    // A hidden strip shifts the centre by half its width.
+    const double extent = size_px > 0.0 ? size_px : 0.5 * (view.width + view.height);
+    centre->covariance += Eigen::Matrix2d::Identity() * std::pow(0.5 * missing * extent, 2);
+  }
+  return centre;
+}
+
+Location locate_plane(const MarkObservation& observation, const geometry::StereoCamera& camera,
+                      const LocatorParameters& parameters, Views& views) {
+  Location location;
+  StereoPatch& patch = views.patch;
+  const Mask inside = erode(views.left_mask, kMaskMargin);
+  const double reach = 0.25 * std::max(observation.left.width, observation.right.width);
+  PlaneSeed seed =
+      seed_plane(patch, inside, plane_of_boxes(observation.left, observation.right), reach, parameters.alignment);
+  // The masks know the slopes as well, unless one of them is partly hidden.
+  const auto of_masks = plane_of_masks(views.left_mask, patch.left_frame, views.right_mask, patch.right_frame);
+  if (of_masks) {
+    const PlaneSeed sloped = seed_plane(patch, inside, *of_masks, reach, parameters.alignment);
+    if (sloped.correlation > seed.correlation) seed = sloped;
+  }
+  location.status = Status::kTooFewMatches;
+  auto alignment = align_plane(patch, inside, seed.plane, parameters.alignment);
+  constexpr double kWorthResampling = 0.2;  // px of row offset beyond which its linear model is poor
+  if (alignment && std::abs(alignment->row_offset) > kWorthResampling &&
+      std::abs(alignment->row_offset) <= parameters.max_row_offset) {
+    const double offset = alignment->row_offset;
+    patch.right_rows = align_rows(patch.right, patch.right_frame, patch.left_frame, patch.left.height, offset);
+    alignment = align_plane(patch, inside, alignment->plane, parameters.alignment);
+    if (alignment) alignment->row_offset += offset;
+  }
+  if (!alignment || std::sqrt(alignment->covariance(0, 0)) > parameters.max_centre_sigma) return location;
+  if (alignment->correlation < parameters.min_correlation ||
+      std::abs(alignment->row_offset) > parameters.max_row_offset) {
+    location.status = Status::kInconsistent;
+    return location;
+  }
+
+  const DisparityPlane& plane = alignment->plane;
+  std::vector<double> squared_scores;
+  for (const Feature& feature : views.features) {
+    const double u = patch.left_frame.u_of(feature.column);
+    const double v = patch.left_frame.v_of(feature.row);
+    const double on_plane = plane.at(u, v);
+    const auto match = refine_match(patch, feature, {on_plane, plane.along_u, plane.along_v}, &views.left_mask,
+                                    parameters.verification);
+    if (!match) continue;
+    const double residual = std::abs(match->local.disparity - on_plane);
+    squared_scores.push_back(residual * residual / std::max(1e-6, match->sigma * match->sigma));
+    if (residual > parameters.max_plane_distance * patch.left_frame.scale) continue;
+    location.matches.push_back({u, v, u - match->local.disparity, v + alignment->row_offset, residual});
+  }
+  const auto found = static_cast<int>(location.matches.size());
+  if (found < parameters.min_matches) {
+    const bool contradict = static_cast<int>(squared_scores.size()) >= 2 * parameters.min_matches;
+    location.status = contradict ? Status::kInconsistent : Status::kTooFewMatches;
+    return location;
+  }
+  if (found < parameters.min_agreeing * static_cast<double>(views.features.size())) {
+    location.status = Status::kInconsistent;
+    return location;
+  }
+  alignment->covariance *= plane_misfit(std::move(squared_scores));
+
+  const auto left =
+      image_centre(observation.left, views.left_mask, plane, camera, CameraSide::kLeft, observation.size, parameters);
+  const auto right = image_centre(observation.right, views.right_mask, plane, camera, CameraSide::kRight,
+                                  observation.size, parameters);
+  const auto centre = fuse_centres(left, right, *alignment, camera);
+  if (!centre) {
+    location.status = Status::kInconsistent;
+    return location;
+  }
+  location.status = Status::kLocated;
+  location.p_C = centre->p_C;
+  location.covariance = centre->covariance;
+  location.normal_C = plane_normal(plane, camera);
+  return location;
+}
+
+Location locate_free(const MarkObservation& observation, const geometry::StereoCamera& camera,
+                     const LocatorParameters& parameters, const Views& views) {
+  Location location;
+  SearchParameters search = parameters.search;
+  if (!(search.disparity_min < search.disparity_max)) {
+    const double middle = observation.left.centre_u() - observation.right.centre_u();
+    const double reach = 0.5 * std::max(observation.left.width, observation.right.width);
+    search.disparity_min = std::max(middle - reach, camera.cx_left - camera.cx_right + 1.0);
+    search.disparity_max = middle + reach;
+  }
+  for (const Feature& feature : views.features) {
+    const auto rough = search_match(views.patch, feature, search);
+    if (!rough) continue;
+    const auto match = refine_match(views.patch, feature, {*rough, 0.0, 0.0}, nullptr, parameters.free_refinement);
+    if (!match) continue;
+    const double u = views.patch.left_frame.u_of(feature.column);
+    const double v = views.patch.left_frame.v_of(feature.row);
+    location.matches.push_back({u, v, u - match->local.disparity, v, match->sigma});
+  }
+  const auto centre = centre_of_points(location.matches, camera);
+  location.status = Status::kTooFewMatches;
+  if (!centre || static_cast<int>(location.matches.size()) < parameters.min_matches) return location;
+  location.status = Status::kLocated;
+  location.p_C = centre->p_C;
+  location.covariance = centre->covariance;
+  return location;
+}
+
+Location locate_as_in_the_paper(const MarkObservation& observation, const geometry::StereoCamera& camera,
+                                const LocatorParameters& parameters, const Views& views) {
+  Location location;
+  const Gradients right = sobel_gradients(views.patch.right);
+  location.matches = match_as_in_the_paper(views.features, views.patch.left_gradients, right, observation.left,
+                                           observation.right, parameters.paper);
+  const PaperPosition position = position_as_in_the_paper(location.matches, camera);
+  location.status = Status::kTooFewMatches;
+  if (position.num_points < parameters.min_matches) return location;
+  location.status = Status::kLocated;
+  location.p_C = position.p_C;
+  location.covariance = position.covariance;
+  return location;
+}
+
+}  // namespace
+
+bool valid_camera(const geometry::StereoCamera& camera) {
+  return std::isfinite(camera.fx) && std::isfinite(camera.fy) && std::isfinite(camera.cx_left) &&
+         std::isfinite(camera.cx_right) && std::isfinite(camera.cy) && std::isfinite(camera.baseline) &&
+         camera.fx > 0.0 && camera.fy > 0.0 && camera.baseline > 0.0;
+}
+
+Location locate_mark(const MarkObservation& observation, const geometry::StereoCamera& camera,
+                     const LocatorParameters& parameters) {
+  Location location;
+  const View& left = observation.left;
+  const View& right = observation.right;
+  if (!left.seen && !right.seen) return location;
+  location.status = Status::kSeenByOne;
+  if (!left.seen || !right.seen) return location;
+  const bool clipped = left.clipped || right.clipped;
+  location.status = clipped ? Status::kClipped : Status::kTooFewMatches;
+  if (!usable(left) || !usable(right) || !valid_camera(camera)) return location;
+  // A clipped mark's boxes and sizes say little, so they are not held against it.
+  if (!clipped && !boxes_agree(observation, camera)) {
+    location.status = Status::kInconsistent;
+    return location;
+  }
+  Views views = prepare(observation, parameters);
+  if (parameters.method == Method::kPaper) {
+    location = locate_as_in_the_paper(observation, camera, parameters, views);
+  } else if (observation.surface == Surface::kFree) {
+    location = locate_free(observation, camera, parameters, views);
+  } else {
+    location = locate_plane(observation, camera, parameters, views);
+  }
+  if (location.status == Status::kLocated && !(location.p_C.allFinite() && location.covariance.allFinite())) {
+    location.status = Status::kInconsistent;
+  }
+  if (clipped) location.status = Status::kClipped;
+  if (location.status != Status::kLocated) {
+    location.p_C.setZero();
+    location.covariance.setZero();
+    location.normal_C.setZero();
+  }
+  return location;
+}
+
+}  // namespace markservo::target_locator

@@ -1,0 +1,67 @@
+#pragma once
+
+// What the locator is told about one mark in one image pair, and what it answers.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/geometry/stereo_camera.hpp"
+#include "services/target-locator/plane_image.hpp"
+
+namespace markservo::target_locator {
+
+// The mark's surroundings, as photographed (not equalised), with the mark's mask.
+struct Patch {
+  PatchFrame frame;
+  int width = 0;                       // patch pixels; 0: no patch
+  int height = 0;                      // patch pixels
+  const std::uint8_t* bgr = nullptr;   // width * height * 3 bytes, not owned
+  const std::uint8_t* mask = nullptr;  // height rows of (width + 7) / 8 bytes, lowest bit first, not owned
+
+  bool empty() const { return width <= 0 || height <= 0 || bgr == nullptr || mask == nullptr; }
+};
+
+// The mark as one camera sees it.
+struct View {
+  bool seen = false;
+  bool clipped = false;  // part of the mark is outside the image
+  double x = 0.0;        // px, box: left column
+  double y = 0.0;        // px, box: top row
+  double width = 0.0;    // px
+  double height = 0.0;   // px
+  Patch patch;
+
+  double centre_u() const { return x + 0.5 * (width - 1.0); }   // px, of the box
+  double centre_v() const { return y + 0.5 * (height - 1.0); }  // px, of the box
+};
+
+enum class Surface { kPlane, kFree };
+
+struct MarkObservation {
+  View left;
+  View right;
+  Surface surface = Surface::kPlane;
+  double size = 0.0;  // m, edge of the square; 0: unknown
+};
+
+enum class Status { kLocated, kUnseen, kSeenByOne, kClipped, kTooFewMatches, kInconsistent };
+
+struct Match {
+  double u_left = 0.0;    // px
+  double v_left = 0.0;    // px
+  double u_right = 0.0;   // px
+  double v_right = 0.0;   // px
+  double residual = 0.0;  // px, distance from the plane's disparity (plane) or the match's own sigma (free)
+};
+
+struct Location {
+  Status status = Status::kUnseen;
+  Eigen::Vector3d p_C = Eigen::Vector3d::Zero();         // m, the mark's centre; valid when located
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // m^2, of p_C
+  Eigen::Vector3d normal_C = Eigen::Vector3d::Zero();    // towards the cameras; zero when it is not known
+  std::vector<Match> matches;                            // those that agree; given for a clipped mark as well
+};
+
+}  // namespace markservo::target_locator

@@ -1,0 +1,391 @@
+#include "services/target-locator/plane_alignment.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "services/target-locator/epipolar_rows.hpp"
+
+namespace markservo::target_locator {
+namespace {
+
+// Parameters of right(u - disparity) = gain left + offset + rising d left / dv: disparity at the centre, along u, along
+// v (both per half extent of the mark), gain, offset, and how much higher the right view lies than the rows say.
+constexpr int kNumParameters = 6;
+using Vector6 = Eigen::Matrix<double, kNumParameters, 1>;
+using Matrix6 = Eigen::Matrix<double, kNumParameters, kNumParameters>;
+using Row6 = Eigen::Matrix<float, kNumParameters, 1>;
+
+// The masked left pixels, in reading order.
+struct Template {
+  std::vector<float> column;   // patch px
+  std::vector<int> row;        // patch px
+  std::vector<float> along_u;  // from the centre, in half extents
+  std::vector<float> along_v;
+  std::vector<float> grey;
+  std::vector<float> gradient_u;  // Sobel's, per image px
+  std::vector<float> gradient_v;
+  std::vector<float> slope_u;  // plain central difference, per image px
+  std::vector<unsigned char> used;
+  double u0 = 0.0;
+  double v0 = 0.0;
+  double extent = 1.0;  // image px
+
+  std::size_t size() const { return column.size(); }
+};
+
+Template make_template(const StereoPatch& patch, const Mask& mask) {
+  Template t;
+  const PatchFrame& frame = patch.left_frame;
+  double sum_x = 0.0;
+  double sum_y = 0.0;
+  double sum_xx = 0.0;
+  const auto inverse_scale = static_cast<float>(1.0 / frame.scale);
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 1; x + 1 < mask.width; ++x) {
+      if (mask.at(x, y) == 0) continue;
+      t.column.push_back(static_cast<float>(x));
+      t.row.push_back(y);
+      t.grey.push_back(patch.left.at(x, y));
+      t.gradient_u.push_back(patch.left_gradients.column.at(x, y) * inverse_scale);
+      t.gradient_v.push_back(patch.left_gradients.row.at(x, y) * inverse_scale);
+      t.slope_u.push_back(0.5F * (patch.left.at(x + 1, y) - patch.left.at(x - 1, y)) * inverse_scale);
+      sum_x += x;
+      sum_y += y;
+      sum_xx += static_cast<double>(x) * x + static_cast<double>(y) * y;
+    }
+  }
+  const auto n = static_cast<double>(t.size());
+  if (t.size() == 0) return t;
+  // About its mean, so that gain and offset do not fight each other.
+  double sum_grey = 0.0;
+  for (const float grey : t.grey) sum_grey += static_cast<double>(grey);
+  const auto mean_grey = static_cast<float>(sum_grey / n);
+  for (float& grey : t.grey) grey -= mean_grey;
+  const double cx = sum_x / n;
+  const double cy = sum_y / n;
+  const double spread = std::sqrt(std::max(1.0, sum_xx / n - cx * cx - cy * cy));
+  t.extent = spread * frame.scale;
+  t.u0 = frame.u_of(cx);
+  t.v0 = frame.v_of(cy);
+  t.along_u.resize(t.size());
+  t.along_v.resize(t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    t.along_u[i] = static_cast<float>((static_cast<double>(t.column[i]) - cx) / spread);
+    t.along_v[i] = static_cast<float>((t.row[i] - cy) / spread);
+  }
+  t.used.assign(t.size(), 1);
+  return t;
+}
+
+// Keeps every k-th masked pixel, so that at most `limit` are left; k is odd so that thinning mixes the columns.
+Mask thin_out(const Mask& mask, int limit) {
+  const auto count = static_cast<int>(std::count(mask.data.begin(), mask.data.end(), 1));
+  if (count <= limit || limit <= 0) return mask;
+  const int step = ((count + limit - 1) / limit) | 1;
+  Mask thinned = mask;
+  int i = 0;
+  for (unsigned char& inside : thinned.data) {
+    if (inside == 0) continue;
+    if (i++ % step != 0) inside = 0;
+  }
+  return thinned;
+}
+
+// The right view's grey value at every template pixel, for the disparity plane given by `p`.
+void warp(const StereoPatch& patch, const Template& t, const PlaneImage& right_rows, const Vector6& p,
+          std::vector<float>& warped) {
+  // column_right = (u_left - disparity - x_right + 0.5) / scale_right - 0.5, with u_left linear in the left column.
+  const double ratio = patch.left_frame.scale / patch.right_frame.scale;
+  const auto base = static_cast<float>(patch.right_frame.column_of(patch.left_frame.u_of(0.0) - p[0]));
+  const auto per_column = static_cast<float>(ratio);
+  const auto per_u = static_cast<float>(-p[1] / patch.right_frame.scale);
+  const auto per_v = static_cast<float>(-p[2] / patch.right_frame.scale);
+  warped.resize(t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const float x = base + per_column * t.column[i] + per_u * t.along_u[i] + per_v * t.along_v[i];
+    warped[i] = sample_cubic(right_rows.row(t.row[i]), right_rows.width, x);
+  }
+}
+
+struct NormalMatrices {
+  Matrix6 newton = Matrix6::Zero();       // derivative of the normal equations
+  Matrix6 information = Matrix6::Zero();  // of their noise, times the residuals' variance
+  double count = 0.0;
+};
+
+// Left factor Sobel's gradient (little noise), right factor the plain difference (the texture's true slope).
+NormalMatrices normal_matrices(const Template& t) {
+  Eigen::Matrix<float, kNumParameters, kNumParameters> newton = Eigen::Matrix<float, 6, 6>::Zero();
+  Eigen::Matrix<float, kNumParameters, kNumParameters> information = newton;
+  NormalMatrices sums;
+  std::size_t in_block = 0;
+  const auto flush = [&] {
+    sums.newton += newton.cast<double>();
+    sums.information += information.cast<double>();
+    newton.setZero();
+    information.setZero();
+    in_block = 0;
+  };
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (t.used[i] == 0) continue;
+    Row6 left;
+    Row6 right;
+    const float gu = t.gradient_u[i];
+    const float su = t.slope_u[i];
+    left << -gu, -gu * t.along_u[i], -gu * t.along_v[i], -t.grey[i], -1.0F, -t.gradient_v[i];
+    right << -su, -su * t.along_u[i], -su * t.along_v[i], -t.grey[i], -1.0F, -t.gradient_v[i];
+    newton.noalias() += left * right.transpose();
+    information.noalias() += left * left.transpose();
+    sums.count += 1.0;
+    if (++in_block == 256) flush();
+  }
+  flush();
+  return sums;
+}
+
+struct Residuals {
+  Vector6 right_side = Vector6::Zero();
+  double sum_of_squares = 0.0;
+};
+
+Residuals residuals(const Template& t, const std::vector<float>& warped, const Vector6& p,
+                    std::vector<float>& residual) {
+  Residuals sums;
+  residual.resize(t.size());
+  const auto gain = static_cast<float>(p[3]);
+  const auto offset = static_cast<float>(p[4]);
+  const auto rising = static_cast<float>(p[5]);
+  float block[kNumParameters] = {};
+  float squares = 0.0F;
+  std::size_t in_block = 0;
+  const auto flush = [&] {
+    for (int k = 0; k < kNumParameters; ++k) {
+      sums.right_side[k] += static_cast<double>(block[k]);
+      block[k] = 0.0F;
+    }
+    sums.sum_of_squares += static_cast<double>(squares);
+    squares = 0.0F;
+    in_block = 0;
+  };
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const float r = warped[i] - gain * t.grey[i] - offset - rising * t.gradient_v[i];
+    residual[i] = r;
+    if (t.used[i] == 0) continue;
+    const float gr = t.gradient_u[i] * r;
+    block[0] -= gr;
+    block[1] -= gr * t.along_u[i];
+    block[2] -= gr * t.along_v[i];
+    block[3] -= t.grey[i] * r;
+    block[4] -= r;
+    block[5] -= t.gradient_v[i] * r;
+    squares += r * r;
+    if (++in_block == 256) flush();
+  }
+  flush();
+  return sums;
+}
+
+// Median of |residual| times 1.4826.
+double robust_sigma(std::vector<float> residual) {
+  for (float& r : residual) r = std::abs(r);
+  const auto middle = residual.begin() + static_cast<std::ptrdiff_t>(residual.size() / 2);
+  std::nth_element(residual.begin(), middle, residual.end());
+  return 1.4826 * static_cast<double>(*middle);
+}
+
+double correlation_of(const Template& t, const std::vector<float>& warped) {
+  double n = 0.0;
+  double a = 0.0;
+  double b = 0.0;
+  double aa = 0.0;
+  double bb = 0.0;
+  double ab = 0.0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (t.used[i] == 0) continue;
+    const auto l = static_cast<double>(t.grey[i]);
+    const auto r = static_cast<double>(warped[i]);
+    n += 1.0;
+    a += l;
+    b += r;
+    aa += l * l;
+    bb += r * r;
+    ab += l * r;
+  }
+  if (n < 2.0) return 0.0;
+  const double variance = (aa - a * a / n) * (bb - b * b / n);
+  return variance > 0.0 ? (ab - a * b / n) / std::sqrt(variance) : 0.0;
+}
+
+// Of the masked pixels, in the image: count, centroid (px) and second moments about it (px^2).
+struct MaskMoments {
+  double count = 0.0;
+  double u = 0.0;
+  double v = 0.0;
+  double uu = 0.0;
+  double uv = 0.0;
+  double vv = 0.0;
+};
+
+MaskMoments moments_of(const Mask& mask, const PatchFrame& frame) {
+  MaskMoments m;
+  for (int y = 0; y < mask.height; ++y) {
+    const unsigned char* line = mask.row(y);
+    int count = 0;
+    int first = 0;
+    for (int x = 0; x < mask.width; ++x) {
+      count += line[x];
+      first += line[x] * x;
+    }
+    m.count += count;
+    m.u += first;
+    m.v += static_cast<double>(count) * y;
+  }
+  if (!(m.count > 0.0)) return m;
+  const double cx = m.u / m.count;
+  const double cy = m.v / m.count;
+  for (int y = 0; y < mask.height; ++y) {
+    const unsigned char* line = mask.row(y);
+    float count = 0.0F;
+    float first = 0.0F;
+    float second = 0.0F;
+    for (int x = 0; x < mask.width; ++x) {
+      const float off = static_cast<float>(x) - static_cast<float>(cx);
+      const auto inside = static_cast<float>(line[x]);
+      count += inside;
+      first += inside * off;
+      second += inside * off * off;
+    }
+    const double dy = y - cy;
+    m.uu += static_cast<double>(second);
+    m.uv += static_cast<double>(first) * dy;
+    m.vv += static_cast<double>(count) * dy * dy;
+  }
+  const double unit = frame.scale * frame.scale / m.count;
+  m.uu *= unit;
+  m.uv *= unit;
+  m.vv *= unit;
+  m.u = frame.u_of(cx);
+  m.v = frame.v_of(cy);
+  return m;
+}
+
+Vector6 parameters_of(const DisparityPlane& plane, const Template& t) {
+  Vector6 p;
+  p << plane.at(t.u0, t.v0), plane.along_u * t.extent, plane.along_v * t.extent, 1.0, 0.0, 0.0;
+  return p;
+}
+
+}  // namespace
+
+std::optional<DisparityPlane> plane_of_masks(const Mask& left, const PatchFrame& left_frame, const Mask& right,
+                                             const PatchFrame& right_frame) {
+  const MaskMoments l = moments_of(left, left_frame);
+  const MaskMoments r = moments_of(right, right_frame);
+  if (!(l.count > 8.0) || !(r.count > 8.0) || !(l.vv > 0.5)) return std::nullopt;
+  // u_right = (1 - along_u) u - along_v v + constant, v_right = v.
+  const double left_width = l.uu - l.uv * l.uv / l.vv;
+  const double right_width = r.uu - r.uv * r.uv / l.vv;
+  if (!(left_width > 0.5) || !(right_width > 0.5)) return std::nullopt;
+  const double stretch = std::sqrt(right_width / left_width);
+  DisparityPlane plane;
+  plane.u0 = l.u;
+  plane.v0 = l.v;
+  plane.at_centre = l.u - r.u;
+  plane.along_u = 1.0 - stretch;
+  plane.along_v = (stretch * l.uv - r.uv) / l.vv;
+  constexpr double kSteepest = 1.0;  // px per px
+  if (!(std::abs(plane.along_u) < kSteepest) || !(std::abs(plane.along_v) < kSteepest)) return std::nullopt;
+  return plane;
+}
+
+PlaneSeed seed_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& guess, double reach,
+                     const AlignmentParameters& parameters) {
+  const Template t = make_template(patch, thin_out(mask, parameters.max_seed_pixels));
+  if (t.size() < 2 || patch.right_rows.width < 4) return {guess, -1.0};
+  const double step = patch.right_frame.scale;
+  const int steps = static_cast<int>(std::ceil(std::max(0.0, reach) / step));
+  std::vector<float> warped;
+  double best = -2.0;
+  double best_shift = 0.0;
+  Vector6 p = parameters_of(guess, t);
+  const double start = p[0];
+  // From the middle outwards, so that of equals the one nearest the guess wins.
+  for (int k = 0; k <= 2 * steps; ++k) {
+    const double shift = step * ((k % 2 == 0) ? k / 2 : -(k + 1) / 2);
+    p[0] = start + shift;
+    warp(patch, t, patch.right_rows, p, warped);
+    const double score = correlation_of(t, warped);
+    if (score > best) {
+      best = score;
+      best_shift = shift;
+    }
+  }
+  PlaneSeed seed{guess, best};
+  seed.plane.at_centre += best_shift;
+  return seed;
+}
+
+std::optional<PlaneAlignment> align_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& seed,
+                                          const AlignmentParameters& parameters) {
+  Template t = make_template(patch, thin_out(mask, parameters.max_pixels));
+  if (t.size() < 3 * kNumParameters || patch.right_rows.width < 4) return std::nullopt;
+  const Vector6 start = parameters_of(seed, t);
+  Vector6 p = start;
+  std::vector<float> warped;
+  std::vector<float> residual;
+  Residuals sums;
+  NormalMatrices normal;
+  Eigen::PartialPivLU<Matrix6> solver;
+  const auto iterate = [&](int iterations) {
+    normal = normal_matrices(t);
+    if (normal.count < 3.0 * kNumParameters) return false;
+    solver.compute(normal.newton);
+    for (int k = 0; k < iterations; ++k) {
+      warp(patch, t, patch.right_rows, p, warped);
+      sums = residuals(t, warped, p, residual);
+      const Vector6 change = -solver.solve(sums.right_side);
+      if (!change.allFinite()) return false;
+      p += change;
+      const double moved = std::abs(p[0] - start[0]) + std::abs(p[1] - start[1]) + std::abs(p[2] - start[2]);
+      if (!(moved < 3.0 * parameters.max_seed_error_px)) return false;
+      if (std::abs(change[0]) + std::abs(change[1]) + std::abs(change[2]) < parameters.settled_px) break;
+    }
+    warp(patch, t, patch.right_rows, p, warped);
+    sums = residuals(t, warped, p, residual);
+    return true;
+  };
+  if (!iterate(parameters.max_iterations)) return std::nullopt;
+  const double limit = std::max(2.0, parameters.outlier_sigmas * robust_sigma(residual));
+  std::size_t inliers = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    t.used[i] = std::abs(static_cast<double>(residual[i])) <= limit ? 1 : 0;
+    inliers += t.used[i];
+  }
+  const double share = static_cast<double>(inliers) / static_cast<double>(t.size());
+  if (share < 0.995 && !iterate(parameters.max_iterations)) return std::nullopt;
+  if (std::abs(p[0] - start[0]) > parameters.max_seed_error_px) return std::nullopt;
+
+  const double variance =
+      parameters.noise_correlation * sums.sum_of_squares / std::max(1.0, normal.count - kNumParameters);
+  const Matrix6 inverse = solver.inverse();
+  const Matrix6 covariance = variance * inverse * normal.information * inverse.transpose();
+  if (!covariance.allFinite()) return std::nullopt;
+
+  PlaneAlignment result;
+  result.plane.u0 = t.u0;
+  result.plane.v0 = t.v0;
+  result.plane.at_centre = p[0];
+  result.plane.along_u = p[1] / t.extent;
+  result.plane.along_v = p[2] / t.extent;
+  const Eigen::DiagonalMatrix<double, 3> unit(1.0, 1.0 / t.extent, 1.0 / t.extent);
+  result.covariance = unit * covariance.topLeftCorner<3, 3>() * unit;
+  result.covariance(0, 0) += parameters.disparity_floor_px * parameters.disparity_floor_px;
+  result.row_offset = -p[5];
+  result.correlation = correlation_of(t, warped);
+  result.inlier_share = share;
+  return result;
+}
+
+}  // namespace markservo::target_locator
