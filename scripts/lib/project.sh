@@ -61,7 +61,8 @@ parallel_jobs() {
 project_files() {
   local list
   list=$(git -C "$repository" ls-files 2>/dev/null) ||
-    list=$(cd -- "$repository" && find . -type d \( -name .git -o -path ./build -o -path ./logs \) -prune -o -type f -printf '%P\n')
+    list=$(cd -- "$repository" &&
+      find . -type d \( -name .git -o -path ./build -o -path ./logs \) -prune -o -type f -printf '%P\n')
   # A file that is tracked but was just deleted is not there to be read.
   grep -E -e "${1:-.}" <<<"$list" | while IFS= read -r file; do
     if [[ -f $repository/$file ]]; then printf '%s\n' "$file"; fi

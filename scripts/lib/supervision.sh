@@ -1,6 +1,6 @@
-# shellcheck shell=bash disable=SC2154 # runtime_dir and log_dir are the sourcing script's
+# shellcheck shell=bash disable=SC2154 # variables of the sourcing script
 # One stack of services under one supervisord, described by the files in its runtime folder. To be sourced after
-# project.sh; works on the variables runtime_dir (absolute) and log_dir (absolute, for what is rendered).
+# project.sh; works on the variables runtime_dir and log_dir (absolute paths).
 
 # ctl ARGUMENT...: supervisorctl of this stack.
 ctl() { supervisorctl -c "$runtime_dir/supervisord.conf" "$@"; }
@@ -39,6 +39,10 @@ make_runtime_dir() {
   local socket=$runtime_dir/supervisor.sock
   # A socket's path holds 107 bytes, and supervisord appends ".<pid>" while it binds.
   ((${#socket} <= 96)) || fail "runtime folder $runtime_dir: too long for a socket's path; use a shorter --runtime-dir"
+  # supervisor would expand or split these, wherever the path is used.
+  if [[ $runtime_dir == *[%\"\;#]* ]]; then
+    fail "runtime folder $runtime_dir: % \" ; # are not allowed in its path; use --runtime-dir"
+  fi
   (umask 077 && mkdir -p -- "$runtime_dir")
   if [[ -L $runtime_dir || ! -d $runtime_dir || ! -O $runtime_dir ]]; then
     fail "runtime folder $runtime_dir: not a folder of yours; use --runtime-dir"
@@ -52,10 +56,7 @@ render() {
   text=$(cat)
   # Without a user supervisord complains when root runs it.
   if ((EUID == 0)); then user='user=root'; fi
-  # supervisor expands %(...)s itself.
-  text=${text//@repository@/"${repository//%/%%}"}
-  text=${text//@log_dir@/"${log_dir//%/%%}"}
-  text=${text//@runtime_dir@/"${runtime_dir//%/%%}"}
+  text=${text//@runtime_dir@/"$runtime_dir"}
   text=${text//@service@/"$1"}
   text=${text//@user@/"$user"}
   printf '%s\n' "$text"
@@ -67,7 +68,7 @@ start_supervisor() {
   local service
   rm -rf -- "${runtime_dir:?}/services" "${runtime_dir:?}/launch"
   mkdir -- "$runtime_dir/services" "$runtime_dir/launch"
-  printf '%s\n' "$log_dir" >"$runtime_dir/log_dir"
+  ln -sfn -- "$log_dir" "$runtime_dir/logs"
   sed '/^\[program:/,$d' "$repository/config/supervisord.conf" | render '' >"$runtime_dir/supervisord.conf"
   for service; do render_service "$service"; done
   env MARKSERVO_STACK="$runtime_dir" supervisord -c "$runtime_dir/supervisord.conf"
@@ -78,7 +79,8 @@ set_launch() {
   local service=$1
   shift
   # A file of its own spares the arguments supervisor's rules for %, quotes and comments.
-  printf '# How scripts/stack runs %s.\nexec %s\n' "$service" "${*@Q}" >"$runtime_dir/launch/$service"
+  printf '# How scripts/stack runs %s.\ncd %q\nexec %s\n' "$service" "$repository" "${*@Q}" \
+    >"$runtime_dir/launch/$service"
 }
 
 # render_service SERVICE: writes its [program] section.
