@@ -1,0 +1,291 @@
+#include "services/stereo-camera/stereo_camera_node.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <opencv2/core/utils/logger.hpp>
+#include <utility>
+
+#include "common/bus/network_check.hpp"
+#include "common/robot/configuration_error.hpp"
+#include "services/stereo-camera/encoder.hpp"
+#include "services/stereo-camera/schedule.hpp"
+
+namespace markservo::stereo_camera {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kPollSlice{50};      // longest wait between two looks at the bus
+constexpr milliseconds kStatePeriod{1000};  // drops are told in one line per period
+constexpr int kFirstPairAttempts = 30;      // cameras may begin with damaged or unpaired frames
+
+std::int64_t wall_clock_us() {
+  return std::chrono::duration_cast<microseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+void StereoCameraNode::add_options(CLI::App& app) {
+  SourceOptions& source = source_options_;
+  GeometryOptions& geometry = geometry_options_;
+  app.add_option("--left-device", source.left_device, "Left camera, for example /dev/video0");
+  app.add_option("--right-device", source.right_device, "Right camera, for example /dev/video2");
+  app.add_option("--device", source.device, "One camera that delivers both views (with --side-by-side)");
+  app.add_option("--left", source.left, "Left video, picture, or pattern as left_%02d.png");
+  app.add_option("--right", source.right, "Right video, picture, or pattern");
+  app.add_option("--input", source.input, "One video, picture or pattern with both views (with --side-by-side)");
+  app.add_flag("--side-by-side", source.side_by_side, "Both views in one picture, the left view in the left half");
+  app.add_flag("--loop", source.loop, "Begin files again at their end");
+  app.add_option("--rate", source.rate_hz, "Pairs per second, Hz; default: as the video states, else 10; cameras 30");
+  app.add_flag("--wait-for-device", source.wait_for_device, "Wait for a camera that is not there at the start");
+  app.add_option("--width", source.width, "Width asked of a camera's view, px; default: as calibrated")
+      ->check(CLI::Range(0, 16384));
+  app.add_option("--height", source.height, "Height asked of a camera's view, px; default: as calibrated")
+      ->check(CLI::Range(0, 16384));
+  app.add_option("--exposure", source.camera.exposure, "Fixed exposure in the driver's unit; default: automatic");
+  app.add_option("--white-balance", source.camera.white_balance_K, "Fixed white balance, K; default: held as it is");
+  app.add_flag("--auto-white-balance", source.camera.auto_white_balance, "Let cameras balance white by themselves");
+
+  app.add_option("--calibration", geometry.calibration, "OpenCV stereo calibration (YAML or XML) to rectify by");
+  app.add_option("--intrinsics", geometry.intrinsics, "M1 D1 M2 D2 as OpenCV's stereo_calib sample writes them");
+  app.add_option("--extrinsics", geometry.extrinsics, "R T R1 R2 P1 P2 as that sample writes them");
+  app.add_option("--metres-per-unit", geometry.limits.metres_per_unit,
+                 "Unit of the calibration's T, m (0.001 for a board measured in mm)")
+      ->capture_default_str();
+  app.add_flag("--accept-rms", geometry.limits.accept_any_error,
+               "Take a calibration with an error above 0.5 px, or with none stated");
+  app.add_option("--fx", geometry.fx, "Focal length of rectified pictures, px; replaces robot.yaml's cameras");
+  app.add_option("--fy", geometry.fy, "Focal length along v, px; default: --fx");
+  app.add_option("--cx-left", geometry.cx_left, "Principal column on the left, px; default: the middle");
+  app.add_option("--cx-right", geometry.cx_right, "Principal column on the right, px; default: the middle");
+  app.add_option("--cy", geometry.cy, "Principal row, px; default: the middle");
+  app.add_option("--baseline", geometry.baseline, "Right lens minus left lens, m");
+
+  app.add_option("--encoding", encoding_, "raw, jpeg, or auto: raw where the network's buffers hold it")
+      ->check(CLI::IsMember({"auto", "raw", "jpeg"}))
+      ->capture_default_str();
+  app.add_option("--jpeg-quality", jpeg_quality_, "1 to 100")->check(CLI::Range(1, 100))->capture_default_str();
+  app.add_option("--count", count_, "Stop after this many pairs; 0: no limit")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_flag("--once", once_, "Stop after one pair");
+}
+
+void StereoCameraNode::configure(const std::string& robot_file) {
+  // What OpenCV has to say goes into our own messages.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  if (once_) count_ = 1;
+  geometry_ = choose_geometry(geometry_options_, robot_file);
+  source_ = open_source(source_options_, geometry_.size.value_or(cv::Size(640, 480)));
+  if (!source_.note.empty()) spdlog::warn("{}", source_.note);
+  if (geometry_.calibration && !geometry_.calibration->rms) {
+    spdlog::warn("{}: states no reprojection error; taken on trust", geometry_.size_source);
+  }
+  read_first_pair();
+}
+
+void StereoCameraNode::read_first_pair() {
+  ReadResult result;
+  for (int attempt = 0; attempt < kFirstPairAttempts; ++attempt) {
+    result = source_.source->read();
+    const bool camera_begins = source_.live && result.status == ReadStatus::kDropped;
+    if (!camera_begins) break;
+  }
+  if (result.status == ReadStatus::kWaiting && source_options_.wait_for_device) {
+    spdlog::warn("{}; waiting for it", result.reason);
+    return;
+  }
+  if (result.status != ReadStatus::kPair) {
+    throw ConfigurationError(result.reason.empty() ? "the source holds no pictures; allowed: one pair or more"
+                                                   : result.reason);
+  }
+  const std::string complaint = pair_complaint(result.pair.left, result.pair.right, cv::Size());
+  if (!complaint.empty()) throw ConfigurationError("first pair: " + complaint);
+  accept_size(result.pair.left.size());
+  first_ = std::move(result.pair);
+}
+
+void StereoCameraNode::accept_size(cv::Size size) {
+  if (geometry_.size && size != *geometry_.size) {
+    throw ConfigurationError("pictures are " + size_text(size) + "; allowed: " + size_text(*geometry_.size) +
+                             " as in " + geometry_.size_source +
+                             (geometry_.calibration ? "" : " (or --calibration, or --fx and --baseline)"));
+  }
+  if (geometry_.calibration) rectifier_ = std::make_unique<Rectifier>(*geometry_.calibration, size);
+  const geometry::StereoCamera camera = geometry_.camera(size);
+  message_.calibration.fx = camera.fx;
+  message_.calibration.fy = camera.fy;
+  message_.calibration.cx_left = camera.cx_left;
+  message_.calibration.cx_right = camera.cx_right;
+  message_.calibration.cy = camera.cy;
+  message_.calibration.baseline = camera.baseline;
+  message_.width = size.width;
+  message_.height = size.height;
+  size_ = size;
+}
+
+void StereoCameraNode::choose_encoding(const bus::BusUrls& urls) {
+  jpeg_ = encoding_ == "jpeg";
+  if (encoding_ == "auto" && !bus::raw_frames_fit(urls.out)) {
+    jpeg_ = true;
+    spdlog::warn("{}", bus::raw_frames_advice());
+  }
+  message_.encoding = jpeg_ ? StereoFrame::ENCODING_JPEG : StereoFrame::ENCODING_BGR8;
+}
+
+void StereoCameraNode::start(bus::Bus& bus) {
+  if (source_options_.loop && count_ == 0 && bus::is_file(bus.urls().out)) {
+    throw ConfigurationError("--loop is given and the bus is a log, which would never end; allowed: with --count");
+  }
+  choose_encoding(bus.urls());
+  frames_ = bus.advertise<StereoFrame>("STEREO_FRAME");
+}
+
+void StereoCameraNode::run(bus::Bus& bus) {
+  bus.every(kStatePeriod, [this, &bus] { tell_state(bus); });
+  if (source_.live) {
+    run_cameras(bus);
+  } else {
+    run_files(bus);
+  }
+  spdlog::info("published {} pairs, dropped {}", published_, dropped_);
+}
+
+void StereoCameraNode::run_files(bus::Bus& bus) {
+  const bool paced = !bus::is_file(bus.urls().out);
+  const std::int64_t start_us = wall_clock_us();
+  const auto steady_start = std::chrono::steady_clock::now();
+  // The steady clock paces, so that a step of the wall clock neither stalls nor hurries the pictures.
+  const auto now_us = [&] {
+    return std::chrono::duration_cast<microseconds>(std::chrono::steady_clock::now() - steady_start).count();
+  };
+  Schedule schedule(0, source_.rate_hz);
+  while (!done() && bus.poll(milliseconds(0))) {
+    ReadResult result{ReadStatus::kPair, {}, ""};
+    if (first_) {
+      result.pair = std::move(*std::exchange(first_, std::nullopt));
+    } else {
+      result = source_.source->read();
+    }
+    if (result.status == ReadStatus::kEnd) {
+      if (!result.reason.empty()) spdlog::warn("{}", result.reason);
+      return;
+    }
+    if (result.status == ReadStatus::kDropped) {
+      drop(result.reason);
+      continue;
+    }
+    if (!result.reason.empty()) spdlog::warn("{}", result.reason);
+    if (!paced) {
+      publish(result.pair, time_of(kLogEpoch_us, result.pair.index, source_.rate_hz));
+      continue;
+    }
+    const std::int64_t due_us = schedule.due(result.pair.index, now_us());
+    while (now_us() < due_us) {
+      const auto left = std::chrono::ceil<milliseconds>(microseconds(due_us - now_us()));
+      if (!bus.poll(std::min(left, kPollSlice))) return;
+    }
+    publish(result.pair, start_us + due_us);
+  }
+}
+
+void StereoCameraNode::run_cameras(bus::Bus& bus) {
+  if (first_) {
+    publish(*first_, first_->exposure_utime.value_or(wall_clock_us()));
+    first_.reset();
+  } else {
+    waiting_ = true;
+    last_reason_ = "no camera yet";
+    bus.set_state("waiting", last_reason_);
+  }
+  BackgroundReader reader(std::move(source_.source));
+  while (!done() && bus.poll(milliseconds(0))) {
+    BackgroundReader::News news = reader.take(kPollSlice);
+    if (news.dropped > 0) drop(news.reason, news.dropped);
+    if (news.skipped > 0) drop("a newer pair came before it was published", news.skipped);
+    losses_ += news.losses;
+    if (news.waiting != waiting_) {
+      waiting_ = news.waiting;
+      last_reason_ = news.reason;
+      if (waiting_) {
+        spdlog::warn("{}; trying again once a second", news.reason);
+      } else {
+        spdlog::info("cameras are there");
+      }
+      tell_state(bus);
+    }
+    if (!news.pair) continue;
+    if (!size_) {
+      const std::string complaint = pair_complaint(news.pair->left, news.pair->right, cv::Size());
+      if (!complaint.empty()) {
+        drop(complaint);
+        continue;
+      }
+      try {
+        accept_size(news.pair->left.size());
+      } catch (const ConfigurationError& error) {
+        drop(error.what());
+        continue;
+      }
+    }
+    publish(*news.pair, news.pair->exposure_utime.value_or(wall_clock_us()));
+  }
+}
+
+void StereoCameraNode::publish(const RawPair& pair, std::int64_t utime) {
+  const std::string complaint = pair_complaint(pair.left, pair.right, *size_);
+  if (!complaint.empty()) {
+    drop("pair " + std::to_string(pair.index) + ": " + complaint);
+    return;
+  }
+  cv::Mat left = pair.left;
+  cv::Mat right = pair.right;
+  if (rectifier_) {
+    cv::Mat left_rectified;
+    cv::Mat right_rectified;
+    rectifier_->rectify(left, right, left_rectified, right_rectified);
+    left = left_rectified;
+    right = right_rectified;
+  }
+  if (jpeg_) {
+    encode_jpeg(left, jpeg_quality_, message_.left);
+    encode_jpeg(right, jpeg_quality_, message_.right);
+  } else {
+    encode_raw(left, message_.left);
+    encode_raw(right, message_.right);
+  }
+  message_.left_size = static_cast<std::int32_t>(message_.left.size());
+  message_.right_size = static_cast<std::int32_t>(message_.right.size());
+  message_.utime = utime;
+  try {
+    frames_->publish(message_);
+    ++published_;
+  } catch (const std::exception& error) {
+    drop(error.what());
+  }
+}
+
+void StereoCameraNode::drop(const std::string& reason, std::int64_t count) {
+  dropped_ += count;
+  last_reason_ = reason;
+  spdlog::debug("dropped: {}", reason);
+}
+
+void StereoCameraNode::tell_state(bus::Bus& bus) {
+  const std::int64_t newly_dropped = dropped_ - std::exchange(dropped_told_, dropped_);
+  if (waiting_) {
+    bus.set_state("waiting", last_reason_ + " (lost " + std::to_string(losses_) + " times)");
+  } else if (newly_dropped > 0) {
+    const std::string told = std::to_string(newly_dropped) + " pairs dropped in the last second, " +
+                             std::to_string(dropped_) + " since the start; last: " + last_reason_;
+    spdlog::warn("{}", told);
+    bus.set_state("ready", told);
+  } else {
+    bus.set_state("ready");
+  }
+}
+
+}  // namespace markservo::stereo_camera

@@ -1,0 +1,212 @@
+#include "services/stereo-camera/stereo_calibration.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "calibration_text.hpp"
+#include "common/robot/configuration_error.hpp"
+#include "services/stereo-camera/rectifier.hpp"
+#include "temporary_folder.hpp"
+
+namespace markservo::stereo_camera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class StereoCalibrationFile : public testing::Test {
+ protected:
+  // The error of loading `text`, or "accepted".
+  std::string error_of(const std::string& text, const CalibrationLimits& limits = {}) const {
+    try {
+      load_stereo_calibration(folder_.write("stereo.yml", text), limits);
+    } catch (const ConfigurationError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+  std::string error_of(const CalibrationText& text, const CalibrationLimits& limits = {}) const {
+    return error_of(text.text(), limits);
+  }
+
+  TemporaryFolder folder_;
+  CalibrationText good_;
+};
+
+TEST_F(StereoCalibrationFile, GivesFocalLengthPrincipalPointAndBaselineOfP1AndP2) {
+  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.text()), {});
+  const auto camera = rectified_camera(calibration, 1.0);
+  EXPECT_EQ(calibration.image_size, cv::Size(64, 48));
+  EXPECT_DOUBLE_EQ(camera.fx, 50.0);
+  EXPECT_DOUBLE_EQ(camera.fy, 50.0);
+  EXPECT_DOUBLE_EQ(camera.cx_left, 31.5);
+  EXPECT_DOUBLE_EQ(camera.cx_right, 31.5);
+  EXPECT_DOUBLE_EQ(camera.cy, 23.5);
+  EXPECT_DOUBLE_EQ(camera.baseline, 0.1);
+}
+
+TEST_F(StereoCalibrationFile, TakesTheUnitOfItsBoard) {
+  good_.set("P2", CalibrationText::projection("-5000.")).set("T", matrix_text(3, 1, {"-100.", "0.", "0."}));
+  EXPECT_THAT(error_of(good_), AllOf(HasSubstr("P2"), HasSubstr("100 m"), HasSubstr("--metres-per-unit 0.001")));
+  CalibrationLimits millimetres;
+  millimetres.metres_per_unit = 0.001;
+  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.text()), millimetres);
+  EXPECT_DOUBLE_EQ(rectified_camera(calibration, 0.001).baseline, 0.1);
+}
+
+TEST_F(StereoCalibrationFile, NeedsItsHeaderAndTheErrorNamesTheFix) {
+  EXPECT_THAT(error_of(good_.body()), AllOf(HasSubstr("stereo.yml"), HasSubstr("header"), HasSubstr("%YAML:1.0")));
+}
+
+TEST_F(StereoCalibrationFile, MayHaveNoTypingErrorsInItsSyntax) {
+  EXPECT_THAT(error_of(std::string("%YAML:1.0\n---\nK1: [ 1, 2\n")), HasSubstr("not well-formed"));
+  EXPECT_THAT(error_of(std::string("%YAML:1.0\n---\n")), HasSubstr("has no keys"));
+  EXPECT_THAT(error_of(std::string()), HasSubstr("empty"));
+}
+
+TEST_F(StereoCalibrationFile, MustBeThere) {
+  EXPECT_THROW(load_stereo_calibration(folder_.file("absent.yml"), {}), ConfigurationError);
+}
+
+TEST_F(StereoCalibrationFile, NeedsEveryKey) {
+  for (const std::string key : {"image_width", "image_height", "rms", "K1", "D1", "K2", "D2", "R1", "R2", "P1", "P2"}) {
+    const std::string error = error_of(CalibrationText().remove(key));
+    EXPECT_THAT(error, AllOf(HasSubstr("stereo.yml"), HasSubstr("'" + key + "' is missing"), HasSubstr("allowed")));
+    EXPECT_THAT(error, Not(HasSubstr("\n")));
+  }
+}
+
+TEST_F(StereoCalibrationFile, MayHaveNoSingularMatrix) {
+  const std::string zeros3 = matrix_text(3, 3, std::vector<std::string>(9, "0."));
+  const std::string zeros4 = matrix_text(3, 4, std::vector<std::string>(12, "0."));
+  for (const std::string key : {"K1", "K2", "R1", "R2"}) {
+    EXPECT_THAT(error_of(CalibrationText().set(key, zeros3)), AllOf(HasSubstr(key), HasSubstr("singular")));
+  }
+  for (const std::string key : {"P1", "P2"}) {
+    EXPECT_THAT(error_of(CalibrationText().set(key, zeros4)), AllOf(HasSubstr(key), HasSubstr("singular")));
+  }
+}
+
+TEST_F(StereoCalibrationFile, MayHaveNoMatrixOfAnotherShapeOrKind) {
+  EXPECT_THAT(error_of(CalibrationText().set("K1", matrix_text(2, 2, {"1.", "0.", "0.", "1."}))),
+              AllOf(HasSubstr("K1"), HasSubstr("2 x 2"), HasSubstr("3 x 3")));
+  EXPECT_THAT(error_of(CalibrationText().set("D1", matrix_text(1, 3, {"0.", "0.", "0."}))), HasSubstr("D1"));
+  EXPECT_THAT(error_of(CalibrationText().set("K1", "5")), HasSubstr("K1"));
+  EXPECT_THAT(error_of(CalibrationText().set("K1", "none")), HasSubstr("K1"));
+  EXPECT_THAT(error_of(CalibrationText().set("K1", matrix_text(3, 3, {"1."}))), HasSubstr("K1"));
+  EXPECT_THAT(error_of(CalibrationText().set("K1", matrix_text(-3, 3, {"1."}))), HasSubstr("K1"));
+}
+
+TEST_F(StereoCalibrationFile, MayHaveNoNumberThatIsNotFinite) {
+  EXPECT_THAT(error_of(CalibrationText().set("D1", matrix_text(1, 4, {".NaN", "0.", "0.", "0."}))),
+              AllOf(HasSubstr("D1"), HasSubstr("not finite")));
+  EXPECT_THAT(error_of(CalibrationText().set("rms", ".Inf")), AllOf(HasSubstr("rms"), HasSubstr("not finite")));
+}
+
+TEST_F(StereoCalibrationFile, MayHaveNoMirroredRotation) {
+  const std::string mirror = matrix_text(3, 3, {"-1.", "0.", "0.", "0.", "1.", "0.", "0.", "0.", "1."});
+  EXPECT_THAT(error_of(good_.set("R1", mirror)), AllOf(HasSubstr("R1"), HasSubstr("rotation")));
+}
+
+TEST_F(StereoCalibrationFile, NeedsAPossibleImageSize) {
+  EXPECT_THAT(error_of(CalibrationText().set("image_width", "0")), HasSubstr("image_width"));
+  EXPECT_THAT(error_of(CalibrationText().set("image_height", "-48")), HasSubstr("image_height"));
+  EXPECT_THAT(error_of(CalibrationText().set("image_width", "100000")), HasSubstr("16384"));
+  EXPECT_THAT(error_of(CalibrationText().set("image_width", "wide")), HasSubstr("image_width"));
+}
+
+TEST_F(StereoCalibrationFile, MayStateTheImageSizeAsAPair) {
+  good_.remove("image_width").remove("image_height").set("image_size", "[ 64, 48 ]");
+  EXPECT_EQ(load_stereo_calibration(folder_.write("stereo.yml", good_.text()), {}).image_size, cv::Size(64, 48));
+  EXPECT_THAT(error_of(good_.set("image_size", "[ 64 ]")), HasSubstr("image_size"));
+}
+
+TEST_F(StereoCalibrationFile, IsRefusedAboveHalfAPixelOfErrorUnlessToldOtherwise) {
+  CalibrationLimits any;
+  any.accept_any_error = true;
+  for (const std::string key : {"rms", "epipolar_error"}) {
+    const CalibrationText bad = CalibrationText().set(key, "0.51");
+    EXPECT_THAT(error_of(bad),
+                AllOf(HasSubstr(key), HasSubstr("0.51"), HasSubstr("0.5 px"), HasSubstr("--accept-rms")));
+    EXPECT_EQ(error_of(bad, any), "accepted");
+    EXPECT_EQ(error_of(CalibrationText().set(key, "0.49")), "accepted");
+  }
+  EXPECT_EQ(error_of(CalibrationText().remove("rms"), any), "accepted");
+}
+
+TEST_F(StereoCalibrationFile, NeedsAPositiveBaseline) {
+  EXPECT_THAT(error_of(CalibrationText().set("P2", CalibrationText::projection("5."))),
+              AllOf(HasSubstr("P2"), HasSubstr("-0.1 m"), HasSubstr("exchanged")));
+  EXPECT_THAT(error_of(CalibrationText().set("P2", CalibrationText::projection("0."))), HasSubstr("baseline of"));
+}
+
+TEST_F(StereoCalibrationFile, MayNotMixCalibrations) {
+  EXPECT_THAT(error_of(CalibrationText().set("T", matrix_text(3, 1, {"-0.2", "0.", "0."}))),
+              AllOf(HasSubstr("'T'"), HasSubstr("0.2 m"), HasSubstr("0.1 m")));
+  const std::string other =
+      matrix_text(3, 4, {"60.", "0.", "31.5", "-6.", "0.", "60.", "23.5", "0.", "0.", "0.", "1.", "0."});
+  EXPECT_THAT(error_of(CalibrationText().set("P2", other)), AllOf(HasSubstr("P2"), HasSubstr("P1")));
+}
+
+TEST_F(StereoCalibrationFile, WithoutRectificationIsRectifiedByRAndT) {
+  good_.remove("R1").remove("R2").remove("P1").remove("P2");
+  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.text()), {});
+  const auto camera = rectified_camera(calibration, 1.0);
+  EXPECT_NEAR(camera.baseline, 0.1, 1e-12);
+  EXPECT_EQ(camera.cx_left, camera.cx_right);  // zero disparity at infinity
+  EXPECT_NEAR(camera.fx, 50.0, 2.0);
+}
+
+TEST_F(StereoCalibrationFile, MayBeThePairThatTheSampleOfOpenCvWrites) {
+  CalibrationText intrinsics;
+  for (const std::string key : {"image_width", "image_height", "rms", "R", "T", "R1", "R2", "P1", "P2", "K1", "K2"}) {
+    intrinsics.remove(key);
+  }
+  const std::string K = matrix_text(3, 3, {"50.", "0.", "31.5", "0.", "50.", "23.5", "0.", "0.", "1."});
+  intrinsics.set("M1", K).set("M2", K);
+  const std::string first = folder_.write("intrinsics.yml", intrinsics.text());
+  const std::string second = folder_.write("extrinsics.yml", good_.text());
+  const auto calibration = load_stereo_calibration(first, second, {});
+  EXPECT_FALSE(calibration.image_size);
+  EXPECT_DOUBLE_EQ(rectified_camera(calibration, 1.0).baseline, 0.1);
+}
+
+TEST_F(StereoCalibrationFile, MayBeXml) {
+  const std::string path = folder_.file("stereo.xml");
+  {
+    const cv::FileStorage yaml(folder_.write("stereo.yml", good_.text()), cv::FileStorage::READ);
+    cv::FileStorage xml(path, cv::FileStorage::WRITE);
+    for (const std::string key : {"K1", "D1", "K2", "D2", "R1", "R2", "P1", "P2"}) xml << key << yaml[key].mat();
+    xml << "image_size" << cv::Size(64, 48) << "rms" << 0.2;
+  }
+  EXPECT_DOUBLE_EQ(rectified_camera(load_stereo_calibration(path, {}), 1.0).baseline, 0.1);
+}
+
+TEST_F(StereoCalibrationFile, OfIdealCamerasLeavesPicturesAsTheyAre) {
+  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.text()), {});
+  const Rectifier rectifier(calibration, *calibration.image_size);
+  cv::Mat raw(48, 64, CV_8UC3);
+  cv::randu(raw, 0, 256);
+  cv::Mat left;
+  cv::Mat right;
+  rectifier.rectify(raw, raw, left, right);
+  EXPECT_EQ(cv::norm(left, raw, cv::NORM_INF), 0.0);
+  EXPECT_EQ(cv::norm(right, raw, cv::NORM_INF), 0.0);
+  EXPECT_THROW(rectifier.rectify(raw.rowRange(0, 20), raw, left, right), std::invalid_argument);
+}
+
+TEST_F(StereoCalibrationFile, OfAnotherImageSizeIsRefused) {
+  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.text()), {});
+  EXPECT_NO_THROW(Rectifier(calibration, cv::Size(64, 48)));
+  EXPECT_THROW(Rectifier(calibration, cv::Size(640, 480)), ConfigurationError);
+}
+
+TEST_F(StereoCalibrationFile, ThatTurnsTheViewOutOfThePictureIsRefused) {
+  const std::string turn = matrix_text(3, 3, {"0.5", "0.", "-0.8660254", "0.", "1.", "0.", "0.8660254", "0.", "0.5"});
+  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.set("R1", turn).text()), {});
+  EXPECT_THROW(Rectifier(calibration, cv::Size(64, 48)), ConfigurationError);
+}
+
+}  // namespace
+}  // namespace markservo::stereo_camera
