@@ -1,0 +1,57 @@
+#pragma once
+
+// What every experiment's main() shares: its options and the services it starts.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/robot/robot_description.hpp"
+#include "tests/experiments/child_process.hpp"
+
+namespace markservo::experiments {
+
+struct ExperimentOptions {
+  int trials = 1;
+  int64_t seed = 1;
+  std::string out = "logs/experiment";  // folder of the results
+  std::string robot_file = "config/robot.yaml";
+  std::string scene = "config/scenes/shelf.yaml";
+  std::string lcm_url;
+};
+
+// Parses `argc`, `argv` (--trials, --seed, --out, --robot-file, --scene, --lcm-url) and runs `body`; exit code 0 if it
+// returns true (every bar met), 1 if false, 2 for bad options or settings, 3 if the rig fails.
+int run_experiment(const std::string& description, int default_trials, int argc, char** argv,
+                   const std::function<bool(const ExperimentOptions&)>& body,
+                   const std::function<void(void* app)>& add_options = {});
+
+// The services of an experiment, found beside its own executable, each with its log in `options.out`.
+class Services {
+ public:
+  explicit Services(const ExperimentOptions& options) : options_(options) {}
+
+  // Starts `name` with the common options and `arguments`.
+  void start(const std::string& name, const std::vector<std::string>& arguments = {});
+  // The simulator in lockstep, waiting for `channels` and the experiment.
+  void start_simulator(const std::string& channels, const std::vector<std::string>& settings = {});
+  // Runs `name` until it ends by itself; its exit code.
+  int run(const std::string& name, const std::vector<std::string>& arguments) const;
+  // Ends the last started service.
+  void stop_last() { running_.pop_back(); }
+
+ private:
+  std::vector<std::string> command(const std::string& name, const std::vector<std::string>& arguments) const;
+  std::string log_file(const std::string& name) const;
+
+  ExperimentOptions options_;
+  std::vector<std::unique_ptr<ChildProcess>> running_;
+};
+
+// Where `name` lies beside this executable.
+std::string sibling_executable(const std::string& name);
+
+}  // namespace markservo::experiments

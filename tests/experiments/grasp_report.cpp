@@ -1,0 +1,163 @@
+#include "tests/experiments/grasp_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+namespace markservo::experiments {
+namespace {
+
+// Success in % (paper, table 3): rows X = -10, -5, 0, 5, 10 cm, books L, C, R; columns Y = 35, 30, 25, 20, 15 cm.
+constexpr int kPaper[15][5] = {{0, 100, 100, 100, 0},   {0, 0, 0, 0, 0},         {0, 0, 0, 0, 0},          //
+                               {0, 100, 100, 100, 100}, {0, 100, 0, 0, 0},       {0, 0, 0, 0, 0},          //
+                               {0, 100, 100, 100, 100}, {0, 100, 100, 100, 100}, {0, 0, 0, 0, 0},          //
+                               {0, 100, 100, 100, 0},   {0, 100, 100, 100, 100}, {0, 100, 100, 100, 100},  //
+                               {0, 0, 0, 0, 0},         {0, 100, 100, 100, 100}, {0, 100, 100, 100, 100}};
+
+int centimetres(double metres) {
+  return static_cast<int>(std::lround(100.0 * metres));
+}
+
+int paper_row(const GraspCell& cell) {
+  return (centimetres(cell.x) + 10) / 5 * 3 + (cell.book == 'L' ? 0 : cell.book == 'C' ? 1 : 2);
+}
+int paper_column(const GraspCell& cell) {
+  return (35 - centimetres(cell.y)) / 5;
+}
+
+std::string short_outcome(const GraspCell& cell) {
+  if (cell.lifted() > 0 || cell.predicted == "feasible") {
+    return std::to_string(100 * cell.lifted() / static_cast<int>(cell.trials.size()));
+  }
+  return cell.predicted == "unreachable" ? "reach" : "view";
+}
+
+}  // namespace
+
+int GraspCell::lifted() const {
+  return static_cast<int>(
+      std::count_if(trials.begin(), trials.end(), [](const auto& t) { return t.result == "lifted"; }));
+}
+
+int GraspCell::as_predicted() const {
+  return static_cast<int>(std::count_if(trials.begin(), trials.end(), [this](const GraspTrial& trial) {
+    if (predicted == "feasible") return trial.result == "lifted";
+    return trial.result == "refused" && trial.reason.rfind(predicted, 0) == 0 && !trial.arm_touched;
+  }));
+}
+
+void write_grasp_json(const std::vector<GraspCell>& cells, const std::string& folder) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& cell : cells) {
+    nlohmann::json trials = nlohmann::json::array();
+    for (const auto& trial : cell.trials) {
+      trials.push_back({{"seed", trial.seed},
+                        {"result", trial.result},
+                        {"reason", trial.reason},
+                        {"arm_touched", trial.arm_touched},
+                        {"touched", trial.touched}});
+    }
+    list.push_back({{"x_m", cell.x},
+                    {"y_m", cell.y},
+                    {"book", std::string(1, cell.book)},
+                    {"predicted", cell.predicted},
+                    {"trials", trials}});
+  }
+  std::ofstream(std::filesystem::path(folder) / "grasp.json") << nlohmann::json{{"cells", list}}.dump(2) << "\n";
+}
+
+void print_beside_the_paper(const std::vector<GraspCell>& cells) {
+  std::map<std::tuple<int, int>, const GraspCell*> grid;
+  for (const auto& cell : cells) grid[{paper_row(cell), paper_column(cell)}] = &cell;
+  std::printf("\nSuccess in %%; reach / view: refused as unreachable / out of view. The paper's figure in brackets.\n");
+  std::printf("  X   book  ");
+  for (const int y : {35, 30, 25, 20, 15}) std::printf("   Y=%-2d cm  ", y);
+  std::printf("\n");
+  for (int row = 0; row < 15; ++row) {
+    std::printf("%4d   %c    ", row / 3 * 5 - 10, "LCR"[row % 3]);
+    for (int column = 0; column < 5; ++column) {
+      const auto found = grid.find({row, column});
+      const std::string ours = found == grid.end() ? "-" : short_outcome(*found->second);
+      std::printf("%6s (%3d)", ours.c_str(), kPaper[row][column]);
+    }
+    std::printf("\n");
+  }
+}
+
+void plot_heat_map(const std::vector<GraspCell>& cells, const std::string& folder) {
+  const auto data = std::filesystem::path(folder) / "grasp.dat";
+  {
+    std::ofstream file(data);
+    for (const auto& cell : cells) {
+      const double share =
+          cell.trials.empty() ? 0.0 : static_cast<double>(cell.lifted()) / static_cast<double>(cell.trials.size());
+      file << paper_column(cell) << " " << 14 - paper_row(cell) << " " << 100.0 * share << " "
+           << kPaper[paper_row(cell)][paper_column(cell)] << " " << short_outcome(cell) << "\n";
+    }
+  }
+  const auto script = std::filesystem::path(folder) / "grasp.gnuplot";
+  {
+    std::ofstream file(script);
+    file << "set terminal pngcairo size 1100,760 font 'Sans,11'\n"
+            "set output '"
+         << (std::filesystem::path(folder) / "grasp.png").string()
+         << "'\n"
+            "set palette defined (0 '#f0e4d8', 100 '#3f8f5f')\nset cbrange [0:100]\nunset colorbox\n"
+            "set xrange [-0.5:4.5]\nset yrange [-0.5:14.5]\n"
+            "set xtics ('35' 0, '30' 1, '25' 2, '20' 3, '15' 4)\nset xlabel 'Y of the middle book, cm'\n"
+            "set ylabel 'X of the middle book, cm, and book'\nset ytics (";
+    for (int row = 0; row < 15; ++row) {
+      file << (row > 0 ? ", " : "") << "'" << row / 3 * 5 - 10 << " "
+           << "LCR"[row % 3] << "' " << 14 - row;
+    }
+    file << ")\nset multiplot layout 1,2 title 'Books lifted, %'\n"
+            "set title 'markservo, simulated'\n"
+            "plot '"
+         << data.string()
+         << "' using 1:2:3 with image notitle, '' using 1:2:5 with labels notitle\n"
+            "set title 'the paper, table 3'\n"
+            "plot '"
+         << data.string()
+         << "' using 1:2:4 with image notitle, '' using 1:2:4 with labels notitle\n"
+            "unset multiplot\n";
+  }
+  if (std::system(("gnuplot '" + script.string() + "'").c_str()) != 0) {
+    std::printf("no heat map: gnuplot did not run on %s\n", script.c_str());
+  }
+}
+
+bool print_grasp_summary(const std::vector<GraspCell>& cells) {
+  int feasible_cells = 0;
+  int feasible_trials = 0;
+  int feasible_lifted = 0;
+  int other_trials = 0;
+  int other_refused = 0;
+  std::printf("\n");
+  for (const auto& cell : cells) {
+    const bool feasible = cell.predicted == "feasible";
+    feasible_cells += feasible ? 1 : 0;
+    (feasible ? feasible_trials : other_trials) += static_cast<int>(cell.trials.size());
+    (feasible ? feasible_lifted : other_refused) += cell.as_predicted();
+    for (const auto& trial : cell.trials) {
+      GraspCell alone = cell;
+      alone.trials = {trial};
+      if (alone.as_predicted() == 1) continue;
+      std::printf("X %.2f cm, Y %.2f cm, %c, seed %lld: predicted %s, but %s: %s%s%s\n", 100 * cell.x, 100 * cell.y,
+                  cell.book, static_cast<long long>(trial.seed), cell.predicted.c_str(), trial.result.c_str(),
+                  trial.reason.c_str(), trial.arm_touched ? "; the arm touched " : "", trial.touched.c_str());
+    }
+  }
+  std::printf(
+      "%d feasible cells: %d of %d trials lifted; elsewhere %d of %d refused for the predicted reason, nothing "
+      "touched\n",
+      feasible_cells, feasible_lifted, feasible_trials, other_refused, other_trials);
+  return feasible_trials - feasible_lifted <= 1 && other_refused == other_trials;
+}
+
+}  // namespace markservo::experiments

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace markservo::experiments {
+
+struct GraspTrial {
+  int64_t seed = 0;
+  std::string result;  // lifted, refused, failed
+  std::string reason;
+  bool arm_touched = false;  // the arm touched anything, by truth
+  std::string touched;       // what first
+};
+
+struct GraspCell {
+  double x = 0.0;  // m, of the middle book
+  double y = 0.0;  // m
+  char book = 'C';
+  std::string predicted;  // feasible, unreachable, out_of_view
+  std::vector<GraspTrial> trials;
+
+  // How many of the trials end as predicted: lifted where feasible; elsewhere refused for the predicted reason, with
+  // nothing touched.
+  int as_predicted() const;
+  int lifted() const;
+};
+
+// DIR/grasp.json.
+void write_grasp_json(const std::vector<GraspCell>& cells, const std::string& folder);
+// Our grid beside the paper's table 3, on the standard output.
+void print_beside_the_paper(const std::vector<GraspCell>& cells);
+// DIR/grasp.png by gnuplot; without gnuplot a line says so.
+void plot_heat_map(const std::vector<GraspCell>& cells, const std::string& folder);
+// Counts and every trial that did not end as predicted; true if at most one feasible trial failed and all others were
+// refused rightly.
+bool print_grasp_summary(const std::vector<GraspCell>& cells);
+
+}  // namespace markservo::experiments

@@ -1,0 +1,261 @@
+// scripts/experiment measurement: the 3D error of a mark's centre over a 5 cm grid, by the simulator's truth: our
+// method, the paper's on the same frames, and ours again with 1% error in the focal length and in the baseline.
+
+#include <cmath>
+#include <fstream>
+#include <lcm/lcm-cpp.hpp>
+#include <map>
+#include <markservo/TargetPose.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "common/bus/safe_decode.hpp"
+#include "common/robot/arm_kinematics.hpp"
+#include "tests/experiments/experiment.hpp"
+#include "tests/experiments/progress_bar.hpp"
+#include "tests/experiments/rig.hpp"
+#include "tests/experiments/statistics.hpp"
+
+namespace markservo::experiments {
+namespace {
+
+constexpr double kGrid = 0.05;           // m
+constexpr double kNearest = 0.15;        // m, the paper's range of depths
+constexpr double kFarthest = 0.35;       // m
+constexpr double kMarkHeight = 0.032;    // m, above the lenses
+constexpr int kFrames = 5;               // noisy frames at each place
+constexpr double kMeanBar = 0.0003;      // m
+constexpr double kMaxBar = 0.0006;       // m
+constexpr double kRelativeBar = 0.0008;  // m, target minus hand with 1% error in f or B
+
+struct Place {
+  double x = 0.0;
+  double y = 0.0;
+  double slant_deg = 0.0;
+};
+
+// What was true when a frame was taken.
+struct Sample {
+  MarkDetection detection;
+  Eigen::Vector3d p_CT;
+  std::optional<Eigen::Vector3d> p_CM;  // where the hand is beside the mark
+  double slant_deg = 0.0;
+};
+
+struct Errors {
+  std::vector<double> absolute;  // m
+  std::vector<double> relative;  // m, target minus hand
+  std::map<int, std::vector<double>> by_depth_cm;
+  int missing = 0;  // frames without a position
+};
+
+Eigen::Vector3d vector(const Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+
+bool whole_mark_in_view(const robot::CameraDescription& cameras, const Place& place, double size) {
+  Eigen::Isometry3d X_CT = Eigen::Isometry3d::Identity();
+  X_CT.translation() << place.x, place.y, kMarkHeight;
+  X_CT.linear() = Eigen::AngleAxisd(place.slant_deg * M_PI / 180.0, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  for (const double x : {-0.5, 0.5}) {
+    for (const double z : {-0.5, 0.5}) {
+      const auto point = geometry::project(cameras.stereo, X_CT * Eigen::Vector3d(x * size, 0.0, z * size));
+      if (!point || point->v < 1.0 || point->v > cameras.height - 2.0) return false;
+      for (const double u : {point->u_left, point->u_right}) {
+        if (u < 1.0 || u > cameras.width - 2.0) return false;
+      }
+    }
+  }
+  return true;
+}
+
+std::vector<Place> grid(const robot::RobotDescription& robot, double size) {
+  std::vector<Place> places;
+  for (const double slant_deg : {0.0, 20.0}) {
+    for (int row = 0; row <= std::lround((kFarthest - kNearest) / kGrid); ++row) {
+      for (int column = -10; column <= 10; ++column) {
+        const Place place{column * kGrid, kNearest + row * kGrid, slant_deg};
+        if (whole_mark_in_view(robot.cameras, place, size)) places.push_back(place);
+      }
+    }
+  }
+  return places;
+}
+
+// The hand at the grip, where the arm can be there beside an unturned book.
+std::optional<robot::JointVector> hand_beside(const robot::RobotDescription& robot,
+                                              const robot::MarkDescription& target, const Place& place) {
+  if (place.slant_deg != 0.0) return std::nullopt;
+  const Eigen::Vector3d p_CT(place.x, place.y, kMarkHeight);
+  const auto ik = robot::inverse_kinematics(*robot.arm, p_CT + target.grip->p_TG, robot.workspace.joint_margin);
+  if (ik.status != robot::ReachStatus::kReachable) return std::nullopt;
+  return ik.q;
+}
+
+std::vector<Sample> take_samples(const ExperimentOptions& options, const robot::RobotDescription& robot,
+                                 const robot::MarkDescription& target, const std::string& hand) {
+  Services services(options);
+  services.start_simulator("");
+  services.start("mark-detector");
+  Rig rig(options.lcm_url, "");
+  rig.wait_for_world();
+  const auto places = grid(robot, target.size);
+  std::printf(
+      "%zu places on a 5 cm grid hold the whole mark in both images (slants of 0 and 20 degrees counted apart)\n",
+      places.size());
+  ProgressBar progress(static_cast<int>(places.size()) * options.trials);
+  std::vector<Sample> samples;
+  for (int trial = 0; trial < options.trials; ++trial) {
+    for (const auto& place : places) {
+      Rig::Settings settings{{"books.x", place.x}, {"books.y", place.y}, {"books.slant_deg", place.slant_deg}};
+      if (const auto q = hand_beside(robot, target, place)) {
+        settings.emplace_back("arm.start_yaw_deg", (*q)[0] * 180.0 / M_PI);
+        settings.emplace_back("arm.start_shoulder_deg", (*q)[1] * 180.0 / M_PI);
+        settings.emplace_back("arm.start_elbow_deg", (*q)[2] * 180.0 / M_PI);
+      }
+      rig.reset(options.seed + trial, settings);
+      for (int frame = 0; frame < kFrames; ++frame) {
+        rig.step([&] { return rig.detection_answered(); });
+        // The detection of this very frame belongs to the truth at hand.
+        Sample sample;
+        rig.wait_for_detection();
+        sample.detection = rig.detection();
+        sample.slant_deg = place.slant_deg;
+        for (const auto& mark : rig.truth().marks) {
+          if (mark.name == target.name) sample.p_CT = vector(mark.p_C);
+          if (mark.name == hand && settings.size() > 3) sample.p_CM = vector(mark.p_C);
+        }
+        samples.push_back(sample);
+      }
+      progress.advance("frames");
+    }
+  }
+  return samples;
+}
+
+// Feeds the samples, their calibration scaled, through a real target-locator by way of logs.
+std::map<int64_t, TargetPose> locate(const Services& services, const std::vector<Sample>& samples,
+                                     const std::string& folder, const std::string& method, double f_scale,
+                                     double b_scale) {
+  const std::string in = folder + "/detections.lcm";
+  const std::string out = folder + "/poses.lcm";
+  {
+    lcm::LCM log("file://" + in + "?mode=w");
+    int64_t number = 0;
+    for (const auto& sample : samples) {
+      MarkDetection detection = sample.detection;
+      detection.frame_seq = ++number;  // the sample's number finds it again
+      detection.calibration.fx *= f_scale;
+      detection.calibration.fy *= f_scale;
+      detection.calibration.baseline *= b_scale;
+      log.publish("MARK_DETECTION", &detection);
+    }
+  }
+  const int code = services.run("target-locator", {"--method", method, "--lcm-in", "file://" + in + "?speed=0",
+                                                   "--lcm-out", "file://" + out + "?mode=w"});
+  if (code != 0) throw RigFailure("target-locator ended with exit code " + std::to_string(code));
+  std::map<int64_t, TargetPose> poses;
+  lcm::LogFile log(out, "r");
+  while (const auto* event = log.good() ? log.readNextEvent() : nullptr) {
+    if (event->channel != "TARGET_POSE") continue;
+    const auto decoded = bus::safe_decode<TargetPose>(event->data, static_cast<std::size_t>(event->datalen));
+    if (decoded.ok) poses[decoded.message.frame_seq] = decoded.message;
+  }
+  return poses;
+}
+
+std::optional<Eigen::Vector3d> located(const TargetPose& pose, const std::string& name) {
+  for (const auto& mark : pose.marks) {
+    if (mark.name == name && mark.status == LocatedMark::LOCATED) return vector(mark.p_C);
+  }
+  return std::nullopt;
+}
+
+Errors score(const std::vector<Sample>& samples, std::map<int64_t, TargetPose> poses, const std::string& target,
+             const std::string& hand) {
+  Errors errors;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const TargetPose& pose = poses[static_cast<int64_t>(i) + 1];
+    const auto p_CT = located(pose, target);
+    if (!p_CT) {
+      ++errors.missing;
+      continue;
+    }
+    const double error = (*p_CT - samples[i].p_CT).norm();
+    errors.absolute.push_back(error);
+    errors.by_depth_cm[static_cast<int>(std::lround(100.0 * samples[i].p_CT.y()))].push_back(error);
+    const auto p_CM = located(pose, hand);
+    if (samples[i].p_CM && p_CM) {
+      errors.relative.push_back(((*p_CT - *p_CM) - (samples[i].p_CT - *samples[i].p_CM)).norm());
+    }
+  }
+  return errors;
+}
+
+nlohmann::json to_json(const Errors& errors) {
+  nlohmann::json json{{"mean_m", mean(errors.absolute)},
+                      {"max_m", maximum(errors.absolute)},
+                      {"n", errors.absolute.size()},
+                      {"missing", errors.missing}};
+  if (!errors.relative.empty()) {
+    json["relative_mean_m"] = mean(errors.relative);
+    json["relative_max_m"] = maximum(errors.relative);
+    json["relative_n"] = errors.relative.size();
+  }
+  return json;
+}
+
+void print(const char* name, const Errors& errors) {
+  std::printf("%-28s %5zu %5d  %8.3f %8.3f  %8.3f %8.3f\n", name, errors.absolute.size(), errors.missing,
+              1e3 * mean(errors.absolute), 1e3 * maximum(errors.absolute), 1e3 * mean(errors.relative),
+              1e3 * maximum(errors.relative));
+}
+
+bool experiment(const ExperimentOptions& options) {
+  const robot::RobotDescription robot = robot::load_robot_description(options.robot_file);
+  const robot::MarkDescription* target = nullptr;
+  std::string hand;
+  for (const auto& mark : robot.marks) {
+    if (mark.role == robot::MarkRole::kManipulator) hand = mark.name;
+    if (mark.role == robot::MarkRole::kTarget && mark.grip && target == nullptr) target = &mark;
+  }
+  if (target == nullptr) throw std::runtime_error(options.robot_file + ": has no target with a grip");
+
+  const auto samples = take_samples(options, robot, *target, hand);
+  const Services services(options);
+  const auto run = [&](const std::string& method, double f_scale, double b_scale) {
+    return score(samples, locate(services, samples, options.out, method, f_scale, b_scale), target->name, hand);
+  };
+  const Errors refined = run("refined", 1.0, 1.0);
+  const Errors paper = run("paper", 1.0, 1.0);
+  const Errors refined_f = run("refined", 1.01, 1.0);
+  const Errors refined_b = run("refined", 1.0, 1.01);
+
+  std::printf("\n%-28s %5s %5s  %8s %8s  %17s\n%-28s %5s %5s  %8s %8s  %8s %8s\n", "3D error of the centre, mm", "n",
+              "none", "mean", "max", "target minus hand", "", "", "", "", "", "mean", "max");
+  print("refined", refined);
+  print("paper", paper);
+  print("refined, f 1% wrong", refined_f);
+  print("refined, B 1% wrong", refined_b);
+  std::printf("\nrefined by depth, mm:");
+  for (const auto& [depth, values] : refined.by_depth_cm) {
+    std::printf("  %d cm: %.3f (%.3f)", depth, 1e3 * mean(values), 1e3 * maximum(values));
+  }
+  std::printf("\n");
+  const nlohmann::json json{{"places", samples.size() / static_cast<std::size_t>(kFrames * options.trials)},
+                            {"refined", to_json(refined)},
+                            {"paper", to_json(paper)},
+                            {"refined_f_1pct", to_json(refined_f)},
+                            {"refined_b_1pct", to_json(refined_b)}};
+  std::ofstream(std::filesystem::path(options.out) / "measurement.json") << json.dump(2) << "\n";
+  return refined.missing == 0 && mean(refined.absolute) <= kMeanBar && maximum(refined.absolute) <= kMaxBar &&
+         maximum(refined_f.relative) <= kRelativeBar && maximum(refined_b.relative) <= kRelativeBar;
+}
+
+}  // namespace
+}  // namespace markservo::experiments
+
+int main(int argc, char** argv) {
+  return markservo::experiments::run_experiment("3D error of a mark's centre over a grid, by the simulator's truth", 1,
+                                                argc, argv, markservo::experiments::experiment);
+}

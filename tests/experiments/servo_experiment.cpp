@@ -1,0 +1,212 @@
+// scripts/experiment servo: how many frames the servo loop needs from 15 cm away and how far from the goal it ends, by
+// the simulator's truth; ideal servos, deadband, deadband and backlash, one to three frames of delay, our law and the
+// paper's.
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <random>
+
+#include "common/robot/arm_kinematics.hpp"
+#include "tests/experiments/experiment.hpp"
+#include "tests/experiments/progress_bar.hpp"
+#include "tests/experiments/rig.hpp"
+#include "tests/experiments/statistics.hpp"
+
+namespace markservo::experiments {
+namespace {
+
+// The hand ends before the spines, so that a law that misses pushes no book.
+const Eigen::Vector3d kGoalFromTarget(0.0, -0.035, -0.052);  // m, axes of C
+constexpr double kStartDistance = 0.15;                      // m
+constexpr double kTolerance = 0.001;                         // m
+constexpr int kMaxFrames = 240;                              // 8 s at 30 Hz: not converged counts as that many
+constexpr double kViewMargin_px = 8.0;
+
+struct Servos {
+  std::string name;
+  double deadband_deg;
+  double backlash_deg;
+  int frames_bar;
+  double error_bar;  // m, p95
+};
+const std::vector<Servos> kServos = {
+    {"ideal", 0.0, 0.0, 35, 0.0010}, {"deadband", 0.3, 0.0, 60, 0.0012}, {"backlash", 0.3, 1.0, 150, 0.0015}};
+
+struct Start {
+  Eigen::Vector2d book;  // m, x and y of the middle book's mark
+  robot::JointVector q;  // rad
+};
+
+struct Trial {
+  bool converged = false;
+  int frames = 0;
+  double final_error = 0.0;  // m, true grip point from the true goal
+};
+
+bool hand_in_view(const robot::RobotDescription& robot, const robot::JointVector& q, double size) {
+  const Eigen::Isometry3d X_CM = robot::hand_mark_pose(*robot.arm, q);
+  for (const double x : {-0.5, 0.5}) {
+    for (const double z : {-0.5, 0.5}) {
+      const auto point = geometry::project(robot.cameras.stereo, X_CM * Eigen::Vector3d(x * size, 0.0, z * size));
+      if (!point) return false;
+      for (const double u : {point->u_left, point->u_right}) {
+        if (u < kViewMargin_px || u > robot.cameras.width - 1 - kViewMargin_px) return false;
+      }
+      if (point->v < kViewMargin_px || point->v > robot.cameras.height - 1 - kViewMargin_px) return false;
+    }
+  }
+  return true;
+}
+
+// A start 15 cm from the goal, at which the arm can be and the hand's mark is seen by both cameras.
+Start draw_start(const robot::RobotDescription& robot, double hand_size, std::mt19937& random) {
+  std::uniform_real_distribution<double> book_x(0.01, 0.07);
+  std::uniform_real_distribution<double> book_y(0.26, 0.30);
+  std::normal_distribution<double> normal;
+  for (int tries = 0; tries < 1000000; ++tries) {
+    const Eigen::Vector2d book(book_x(random), book_y(random));
+    const Eigen::Vector3d p_CG_goal = Eigen::Vector3d(book.x(), book.y(), 0.032) + kGoalFromTarget;
+    const double margin = robot.workspace.joint_margin;
+    const auto goal = robot::inverse_kinematics(*robot.arm, p_CG_goal, margin);
+    if (goal.status != robot::ReachStatus::kReachable || !hand_in_view(robot, goal.q, hand_size)) continue;
+    const Eigen::Vector3d away = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+    if (away.y() > 0.0) continue;  // towards the books
+    const auto start = robot::inverse_kinematics(*robot.arm, p_CG_goal + kStartDistance * away, margin);
+    if (start.status != robot::ReachStatus::kReachable || !hand_in_view(robot, start.q, hand_size)) continue;
+    return {book, start.q};
+  }
+  throw std::runtime_error("no start 15 cm from a goal with the hand in view; is robot.yaml's geometry sound?");
+}
+
+double degrees(double radians) {
+  return radians * 180.0 / M_PI;
+}
+
+Eigen::Vector3d vector(const Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+
+std::optional<Eigen::Vector3d> true_goal(const SimTruth& truth, const std::string& target) {
+  for (const auto& mark : truth.marks) {
+    if (mark.name == target) return vector(mark.p_C) + kGoalFromTarget;
+  }
+  return std::nullopt;
+}
+
+Trial run_trial(Rig& rig, const robot::RobotDescription& robot, const std::string& target, const Start& start,
+                const Servos& servos, int delay_frames, int64_t seed) {
+  rig.reset(seed, {{"books.x", start.book.x()},
+                   {"books.y", start.book.y()},
+                   {"servo.deadband_deg", servos.deadband_deg},
+                   {"servo.deadband_kind", static_cast<double>(seed % 2)},
+                   {"servo.backlash_deg", servos.backlash_deg},
+                   {"servo.delay_frames", delay_frames},
+                   {"arm.start_yaw_deg", degrees(start.q[0])},
+                   {"arm.start_shoulder_deg", degrees(start.q[1])},
+                   {"arm.start_elbow_deg", degrees(start.q[2])}});
+  rig.unlatch();
+  for (int i = 0; i < 3; ++i) rig.step([&] { return rig.servo_answered(); });
+  ServoGoal goal{};
+  goal.kind = ServoGoal::SERVO;
+  goal.target = target;
+  goal.p_TG_C.x = kGoalFromTarget.x();
+  goal.p_TG_C.y = kGoalFromTarget.y();
+  goal.p_TG_C.z = kGoalFromTarget.z();
+  goal.tolerance = kTolerance;
+  goal.gripper_opening = robot.arm->gripper.opening_max;
+  rig.give_goal(goal);
+
+  Trial trial;
+  while (trial.frames < kMaxFrames && !trial.converged) {
+    rig.step([&] { return rig.servo_answered(); });
+    ++trial.frames;
+    // The status of the frame before: answers to this one are still on their way.
+    trial.converged = rig.servo().goal_id == rig.goal_id() && rig.servo().state == ServoStatus::CONVERGED;
+  }
+  trial.final_error = (vector(rig.truth().p_CG) - true_goal(rig.truth(), target).value()).norm();
+  return trial;
+}
+
+const robot::MarkDescription& mark_of_role(const robot::RobotDescription& robot, robot::MarkRole role) {
+  for (const auto& mark : robot.marks) {
+    if (mark.role == role) return mark;
+  }
+  throw std::runtime_error("the robot needs a mark on its hand and a target");
+}
+
+bool experiment(const ExperimentOptions& options, const std::vector<std::string>& laws) {
+  const robot::RobotDescription robot = robot::load_robot_description(options.robot_file);
+  const std::string target = mark_of_role(robot, robot::MarkRole::kTarget).name;
+  const double hand_size = mark_of_role(robot, robot::MarkRole::kManipulator).size;
+
+  Services services(options);
+  services.start_simulator("JOINT_COMMAND");
+  services.start("mark-detector");
+  services.start("target-locator");
+  Rig rig(options.lcm_url, "");
+  rig.wait_for_world();
+
+  ProgressBar progress(static_cast<int>(laws.size() * kServos.size()) * 3 * options.trials);
+  nlohmann::json cases = nlohmann::json::array();
+  bool all_met = true;
+  std::printf("%-9s %-14s %5s  %9s %7s %7s  %10s %10s  %s\n", "servos", "law", "delay", "converged", "frames", "max",
+              "error p50", "p95", "bar");
+  for (const auto& law : laws) {
+    services.start("visual-servo", {"--law", law});
+    for (const auto& servos : kServos) {
+      for (int delay = 1; delay <= 3; ++delay) {
+        std::mt19937 random(static_cast<uint32_t>(options.seed));  // the same starts for every case
+        std::vector<double> frames;
+        std::vector<double> errors;
+        int converged = 0;
+        for (int i = 0; i < options.trials; ++i) {
+          const Start start = draw_start(robot, hand_size, random);
+          const Trial trial = run_trial(rig, robot, target, start, servos, delay, options.seed + i);
+          frames.push_back(trial.frames);
+          errors.push_back(trial.final_error);
+          converged += trial.converged ? 1 : 0;
+          progress.advance(law + ", " + servos.name + ", delay " + std::to_string(delay));
+        }
+        const double frames_max = maximum(frames);
+        const double p95 = percentile(errors, 0.95);
+        const bool met = frames_max <= servos.frames_bar && p95 <= servos.error_bar;
+        if (law == "resolved-rate") all_met = all_met && met;
+        std::printf("%-9s %-14s %5d  %5d/%-3d %7.0f %7.0f  %7.2f mm %7.2f mm  %d frames, %.1f mm: %s\n",
+                    servos.name.c_str(), law.c_str(), delay, converged, options.trials, median(frames), frames_max,
+                    1e3 * median(errors), 1e3 * p95, servos.frames_bar, 1e3 * servos.error_bar, met ? "met" : "missed");
+        std::fflush(stdout);
+        cases.push_back({{"servos", servos.name},
+                         {"law", law},
+                         {"delay_frames", delay},
+                         {"trials", options.trials},
+                         {"converged", converged},
+                         {"frames_median", median(frames)},
+                         {"frames_max", frames_max},
+                         {"final_median_m", median(errors)},
+                         {"final_p95_m", p95},
+                         {"final_max_m", maximum(errors)}});
+      }
+    }
+    services.stop_last();
+  }
+  std::ofstream(std::filesystem::path(options.out) / "servo.json") << nlohmann::json{{"cases", cases}}.dump(2) << "\n";
+  return all_met;
+}
+
+}  // namespace
+}  // namespace markservo::experiments
+
+int main(int argc, char** argv) {
+  std::vector<std::string> laws{"resolved-rate", "paper"};
+  return markservo::experiments::run_experiment(
+      "Frames and final error of the servo loop, by the simulator's truth", 12, argc, argv,
+      [&](const markservo::experiments::ExperimentOptions& options) {
+        return markservo::experiments::experiment(options, laws);
+      },
+      [&](void* app) {
+        static_cast<CLI::App*>(app)->add_option("--law", laws, "Laws to try")->delimiter(',')->capture_default_str();
+      });
+}
