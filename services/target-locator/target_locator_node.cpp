@@ -1,0 +1,84 @@
+#include "services/target-locator/target_locator_node.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "common/robot/configuration_error.hpp"
+#include "common/robot/robot_description.hpp"
+#include "services/target-locator/pose_message.hpp"
+
+namespace markservo::target_locator {
+
+void TargetLocatorNode::add_options(CLI::App& app) {
+  app.add_option("--method", method_, "refined: sub-pixel, checked; paper: the paper's matching as it stands")
+      ->check(CLI::IsMember({"refined", "paper"}))
+      ->capture_default_str();
+  app.add_option("--surface", surface_texts_,
+                 "NAME=plane or NAME=free: what the mark is, instead of robot.yaml's word");
+  app.add_option("--max-features", parameters_.features.max_features, "Most feature points per mark")
+      ->check(CLI::Range(6, 100000))
+      ->capture_default_str();
+  app.add_option("--min-matches", parameters_.min_matches, "Fewest matches that carry a position")
+      ->check(CLI::Range(3, 1000))
+      ->capture_default_str();
+  app.add_option("--disparity-min", parameters_.search.disparity_min,
+                 "Free surfaces: smallest disparity looked for, px; with --disparity-max, else the boxes tell")
+      ->capture_default_str();
+  app.add_option("--disparity-max", parameters_.search.disparity_max, "Free surfaces: largest disparity looked for, px")
+      ->capture_default_str();
+  app.add_option("--paper-window", parameters_.paper.window,
+                 "--method paper: side of the search window over the side of the mark's box (a of eq. 3)")
+      ->check(CLI::Range(0.01, 4.0))
+      ->capture_default_str();
+}
+
+void TargetLocatorNode::configure(const std::string& robot_file) {
+  parameters_.method = method_ == "paper" ? Method::kPaper : Method::kRefined;
+  const SearchParameters& search = parameters_.search;
+  if (search.disparity_min != search.disparity_max && !(search.disparity_min < search.disparity_max)) {
+    throw ConfigurationError("--disparity-max: " + std::to_string(search.disparity_max) +
+                             " px; allowed: above --disparity-min, " + std::to_string(search.disparity_min) + " px");
+  }
+  const robot::RobotDescription description = robot::load_robot_description(robot_file);
+  for (const auto& mark : description.marks) {
+    marks_[mark.name] = {mark.surface == robot::MarkSurface::kFree ? Surface::kFree : Surface::kPlane, mark.size};
+  }
+  for (const std::string& text : surface_texts_) {
+    if (text.empty()) continue;  // as --print-config writes an unset option
+    const auto equals = text.rfind('=');
+    const std::string word = equals == std::string::npos ? "" : text.substr(equals + 1);
+    if (equals == 0 || (word != "plane" && word != "free")) {
+      throw ConfigurationError("--surface '" + text + "': allowed: NAME=plane or NAME=free");
+    }
+    marks_[text.substr(0, equals)].surface = word == "free" ? Surface::kFree : Surface::kPlane;
+  }
+}
+
+void TargetLocatorNode::start(bus::Bus& bus) {
+  poses_.emplace(bus.advertise<TargetPose>("TARGET_POSE"));
+  matches_.emplace(bus.advertise<StereoMatches>("STEREO_MATCHES"));
+  bus.on_latest<MarkDetection>("MARK_DETECTION", [this](const MarkDetection& detection) { handle(detection); });
+}
+
+void TargetLocatorNode::handle(const MarkDetection& detection) {
+  const geometry::StereoCamera camera = camera_of(detection.calibration);
+  auto pose = answer_to<TargetPose>(detection);
+  auto matches = answer_to<StereoMatches>(detection);
+  for (const DetectedMark& mark : detection.marks) {
+    const auto known = marks_.find(mark.name);
+    const KnownMark described = known == marks_.end() ? KnownMark{} : known->second;
+    const Location location = locate_mark(observation_of(mark, described.surface, described.size), camera, parameters_);
+    pose.marks.push_back(located_mark(mark, location));
+    matches.marks.push_back(matches_of(mark, location));
+  }
+  matches.num_marks = static_cast<int32_t>(matches.marks.size());
+  const int dropped = fit_into_packet(pose);
+  if (dropped > 0 && !told_of_dropped_marks_) {
+    told_of_dropped_marks_ = true;
+    spdlog::warn("TARGET_POSE: the last {} of {} marks do not fit a packet of {} bytes and are left out", dropped,
+                 detection.marks.size(), kMaxPoseBytes);
+  }
+  poses_->publish(pose);
+  matches_->publish(matches);
+}
+
+}  // namespace markservo::target_locator
