@@ -1,0 +1,44 @@
+#pragma once
+
+// Did the object come along with the hand? Told from both marks before and after a small lift.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+
+#include "common/robot/robot_description.hpp"
+
+namespace markservo::task_manager {
+
+// Mean of a mark's position over frames; each frame counts once.
+class MarkAverage {
+ public:
+  void add(std::int64_t frame_utime, const Eigen::Vector3d& p_C);
+  int count() const { return count_; }
+  std::int64_t last_utime() const { return last_utime_; }
+  Eigen::Vector3d mean() const;  // m; zero when empty
+
+ private:
+  int count_ = 0;
+  std::int64_t last_utime_ = 0;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+};
+
+struct LiftView {
+  Eigen::Vector3d p_CT = Eigen::Vector3d::Zero();     // m, target mark
+  Eigen::Vector3d p_CM = Eigen::Vector3d::Zero();     // m, hand mark
+  robot::JointVector q = robot::JointVector::Zero();  // rad
+};
+
+struct LiftVerdict {
+  bool came_along = false;
+  Eigen::Vector3d error = Eigen::Vector3d::Zero();  // m, the target mark's way less the one it would make with the hand
+  std::string reason;                               // figures for people
+};
+
+// The target's mark, fixed to the hand, moves as the hand's mark does, but for the forearm's turn, which kinematics
+// tells. `tolerance`: largest |error| (m) that counts as coming along.
+LiftVerdict check_lift(const robot::ArmDescription& arm, const LiftView& before, const LiftView& after,
+                       double tolerance);
+
+}  // namespace markservo::task_manager

@@ -1,0 +1,25 @@
+#pragma once
+
+// Straight up with the gripped object, and down again.
+
+#include "services/task-manager/parameters.hpp"
+#include "services/task-manager/posture_path.hpp"
+
+namespace markservo::task_manager {
+
+// From posture `start` (rad) up until the grip point is `height` (m) above `p_CG_place` (m). Where the arm does not
+// reach straight up, the way bends towards the robot, at most bend_max. The gripper stays closed at `opening` (m).
+PosturePath plan_lift(const robot::ArmDescription& arm, const Parameters& parameters, const robot::JointVector& start,
+                      const Eigen::Vector3d& p_CG_place, double height, double opening);
+
+// From posture `start` down to `p_CG_place` (m), then the hand opens and goes back to `p_CG_back` (m) on straight
+// lines.
+PosturePath plan_put_back(const robot::ArmDescription& arm, const Parameters& parameters,
+                          const robot::JointVector& start, const Eigen::Vector3d& p_CG_place,
+                          const Eigen::Vector3d& p_CG_back, double opening);
+
+// How high (m, check_height_min to check_height) the object at `p_CT` can be lifted with its mark in both images.
+double check_height(const robot::RobotDescription& robot, const Parameters& parameters,
+                    const robot::MarkDescription& target, const Eigen::Vector3d& p_CT);
+
+}  // namespace markservo::task_manager

@@ -1,0 +1,37 @@
+#pragma once
+
+// Whether the goal of one move has been reached, told from SERVO_STATUS and JOINT_STATE.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "services/task-manager/parameters.hpp"
+#include "services/task-manager/posture_path.hpp"
+#include "services/task-manager/procedure_types.hpp"
+
+namespace markservo::task_manager {
+
+// Seconds between two utimes.
+inline double seconds_between(std::int64_t from_utime, std::int64_t to_utime) {
+  return 1e-6 * static_cast<double>(to_utime - from_utime);
+}
+
+struct MoveProgress {
+  std::int64_t since = 0;             // us, when its goal was first sent
+  std::optional<std::int64_t> there;  // us, when it came to its end
+};
+
+enum class MoveState { kUnderWay, kDone, kFailed };
+
+struct MoveReport {
+  MoveState state = MoveState::kUnderWay;
+  std::string reason;  // why failed
+};
+
+// `goal_id`: under which the move was sent. A move is done when it was there for its dwell; it fails when visual-servo
+// says unreachable or move_timeout passes.
+MoveReport watch_move(const Move& move, std::int64_t goal_id, const Input& input, const MotionParameters& parameters,
+                      MoveProgress& progress);
+
+}  // namespace markservo::task_manager

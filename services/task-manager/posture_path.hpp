@@ -1,0 +1,55 @@
+#pragma once
+
+// Postures in a row along straight lines of the grip point, by inverse kinematics.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "common/robot/arm_kinematics.hpp"
+#include "common/robot/robot_description.hpp"
+
+namespace markservo::task_manager {
+
+// One goal of a way.
+struct Move {
+  bool hold = false;  // stay where the arm is (only the gripper moves); else go to `q`
+  robot::JointVector q = robot::JointVector::Zero();
+  double speed = 0.0;    // m/s, limit of the grip point
+  double opening = 0.0;  // m, of the gripper
+  bool settle = true;    // come to rest; else being near is enough
+  double dwell = 0.0;    // s, to wait there
+};
+
+// Builds a way from a posture. After the first point that cannot be reached it keeps that status and adds nothing.
+class PosturePath {
+ public:
+  // `opening`: the gripper's at the start, m; `joint_margin`: rad inside the joints' limits.
+  PosturePath(const robot::ArmDescription& arm, const robot::JointVector& start, double opening, double joint_margin);
+
+  // Straight on to `p_CG` (m), a posture at least every `step` (m); `settle`: coming to rest at its end.
+  void line_to(const Eigen::Vector3d& p_CG, double step, double speed, bool settle = true);
+  // About the column to this yaw (rad), radius and height kept.
+  void turn_to(double yaw, double speed);
+  // In joint space; checks no limit.
+  void joints_to(const robot::JointVector& q, double speed);
+  // Moves the gripper and waits `dwell` (s).
+  void gripper_to(double opening, double dwell);
+
+  robot::ReachStatus status() const { return status_; }
+  bool reachable() const { return status_ == robot::ReachStatus::kReachable; }
+  const robot::JointVector& end() const { return end_; }
+  Eigen::Vector3d end_point() const { return robot::grip_point(arm_, end_); }  // m in C
+  const std::vector<Move>& moves() const { return moves_; }
+
+ private:
+  void add(const robot::JointVector& q, double speed, bool settle);
+
+  const robot::ArmDescription& arm_;
+  robot::JointVector end_;
+  double opening_;
+  double joint_margin_;
+  robot::ReachStatus status_ = robot::ReachStatus::kReachable;
+  std::vector<Move> moves_;
+};
+
+}  // namespace markservo::task_manager

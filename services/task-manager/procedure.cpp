@@ -1,0 +1,296 @@
+#include "services/task-manager/procedure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "services/task-manager/lift_plan.hpp"
+#include "services/task-manager/procedure_step.hpp"
+
+namespace markservo::task_manager {
+
+const char* name_of(Phase phase) {
+  static constexpr const char* kNames[] = {"IDLE",   "LOOK",    "APPROACH", "SERVO",   "GRIP",    "LIFT",
+                                           "VERIFY", "LIFT_ON", "CARRY",    "RELEASE", "GO_HOME", "HOLD_LIFTED",
+                                           "DONE",   "REFUSED", "FAILED",   "STOPPED"};
+  return kNames[static_cast<std::size_t>(phase)];
+}
+
+bool busy(Phase phase) {
+  return phase >= Phase::kLook && phase <= Phase::kGoHome;
+}
+
+Procedure::Procedure(robot::RobotDescription robot, Parameters parameters)
+    : robot_(std::move(robot)), parameters_(parameters) {}
+
+Output Procedure::step(const Input& input, State& state) const {
+  Output output;
+  ProcedureStep(robot_, parameters_, input, state, output).run();
+  return output;
+}
+
+void ProcedureStep::run() {
+  watch_the_arm();
+  watch_the_stop_devices();
+  watch_the_hand();
+  for (const Command& command : in_.commands) {
+    if (s_.inbox.accept(command.session, command.id)) execute(command);
+  }
+  watch_the_servo();
+  if (busy(s_.phase)) run_phase();
+  if (s_.goal.id == 0 && in_.arm && robot_.arm) hold();
+
+  const bool send_goal = s_.goal.id != 0 && (s_.goal_is_new || s_.repeat.due(in_.utime));
+  if (send_goal) {
+    s_.repeat.restart(in_.utime);
+    s_.goal_is_new = false;
+    out_.goal = s_.goal;
+  }
+  out_.phase = s_.phase;
+  out_.attempt = s_.attempt;
+  out_.result = s_.result;
+  out_.target = s_.task.target;
+  out_.reason = s_.reason;
+  out_.command_session = s_.inbox.session();
+  out_.command_id = s_.inbox.id();
+}
+
+void ProcedureStep::watch_the_arm() {
+  if (!in_.arm) return;
+  const bool restarted = s_.arm_session != 0 && s_.arm_session != in_.arm->session;
+  s_.arm_session = in_.arm->session;
+  if (restarted && (busy(s_.phase) || s_.phase == Phase::kHoldLifted)) stop("the arm restarted");
+}
+
+void ProcedureStep::watch_the_stop_devices() {
+  const bool known_before = std::exchange(s_.stop_was_known, in_.stop.known);
+  const bool latched_before = std::exchange(s_.stop_was_latched, in_.stop.latched);
+  if (in_.stop.latched && (busy(s_.phase) || s_.phase == Phase::kHoldLifted)) {
+    if (s_.phase == Phase::kLook && !known_before && s_.attempt == 1) {
+      refuse("stop is latched: reset it first (" + in_.stop.reason + ")");
+    } else {
+      stop("stop: " + in_.stop.reason);
+    }
+  }
+  // Movers obey no goal from before the reset: without a new one the gripper would be told nothing.
+  if (latched_before && !in_.stop.latched && s_.goal.id != 0) hold();
+}
+
+void ProcedureStep::watch_the_servo() {
+  const auto lasts = [&](bool now, std::optional<std::int64_t>& since) {
+    if (!now) since.reset();
+    if (now && !since) since = in_.utime;
+    return now && seconds_between(*since, in_.utime) > p_.motion.stale_timeout;
+  };
+  const bool moving = busy(s_.phase) && s_.phase != Phase::kLook;
+  const bool answers = in_.servo.goal_id == s_.goal.id;
+  if (lasts(moving && in_.servo.state == ServoState::kStale, s_.stale_since)) {
+    fail("the arm holds for want of fresh input: " + in_.servo.reason);
+  }
+  if (lasts(moving && answers && in_.servo.state == ServoState::kStopped, s_.stopped_since)) {
+    stop("visual-servo is stopped: " + in_.servo.reason);
+  }
+}
+
+// A reset simulator or a person may have taken the object away while nothing was under way.
+void ProcedureStep::watch_the_hand() {
+  if (!s_.holding.something || !in_.arm) return;
+  if (busy(s_.phase)) {
+    s_.holding.q = in_.arm->q;
+    return;
+  }
+  constexpr double kElsewhere = 0.2;  // rad: more than an arm coasts after a stop
+  constexpr double kOpened = 0.006;   // m wider than the object
+  if (in_.arm->session != s_.holding.arm_session || (in_.arm->q - s_.holding.q).cwiseAbs().maxCoeff() > kElsewhere ||
+      in_.arm->gripper_opening > target().grip->object_width + kOpened) {
+    s_.holding.something = false;
+    const std::string what = "the hand does not hold " + s_.task.target + " any more";
+    out_.notices.push_back(what);
+    // Nothing is left to be held up: the arm stays where it is now.
+    if (s_.phase == Phase::kHoldLifted) stop(what);
+  }
+}
+
+void ProcedureStep::execute(const Command& command) {
+  switch (command.kind) {
+    case CommandKind::kStart:
+      start(command);
+      break;
+    case CommandKind::kHome:
+      home();
+      break;
+    case CommandKind::kAbort:
+      if (busy(s_.phase)) {
+        stop("aborted by operator");
+      } else {
+        out_.notices.emplace_back("nothing to abort");
+      }
+      break;
+  }
+}
+
+std::string ProcedureStep::why_no_task(const Command& command) const {
+  if (!robot_.arm) return "the robot has no arm: its description has no section 'arm'";
+  if (hand_mark_of(robot_) == nullptr) return "the robot's description has no mark of role manipulator";
+  const robot::MarkDescription* mark = robot_.find_mark(command.target);
+  if (mark == nullptr || mark->role != robot::MarkRole::kTarget) {
+    std::string known;
+    for (const auto& other : robot_.marks) {
+      if (other.role == robot::MarkRole::kTarget) known += (known.empty() ? "" : ", ") + other.name;
+    }
+    return "unknown target '" + command.target + "'; the robot's description has: " + known;
+  }
+  if (!mark->grip) return "the description of " + command.target + " has no section 'grip': it cannot be taken";
+  if (in_.stop.latched) return "stop is latched: reset it first (" + in_.stop.reason + ")";
+  if (s_.holding.something) return "the hand holds " + s_.task.target + ": send HOME first, which puts it back";
+  return "";
+}
+
+void ProcedureStep::start(const Command& command) {
+  if (busy(s_.phase)) {
+    out_.notices.push_back("START of '" + command.target + "' ignored: " + s_.task.target + " is under way (" +
+                           name_of(s_.phase) + "); abort it first");
+    return;
+  }
+  const std::string why = why_no_task(command);
+  if (s_.holding.something && !why.empty()) {
+    // What is held decides what HOME does: the task stays as it is.
+    out_.notices.push_back("START of '" + command.target + "' refused: " + why);
+    s_.result = Result::kRefused;
+    s_.phase = Phase::kRefused;
+    s_.reason = why;
+    return;
+  }
+  s_.task = command;
+  s_.attempt = 1;
+  s_.result = Result::kNone;
+  if (why.empty()) {
+    s_.target_mean = MarkAverage();
+    enter(Phase::kLook, "looking for the mark of " + command.target);
+  } else {
+    refuse(why);
+  }
+}
+
+void ProcedureStep::home() {
+  if (busy(s_.phase)) {
+    out_.notices.push_back(std::string("HOME ignored: a task is under way (") + name_of(s_.phase) +
+                           "); abort it first");
+    return;
+  }
+  if (!robot_.arm) return stop("home: the robot has no arm");
+  if (in_.stop.latched) return stop("stop is latched: reset it first (" + in_.stop.reason + ")");
+  if (!in_.arm) return stop("home: the arm does not answer (no JOINT_STATE)");
+  if (s_.holding.something && !s_.holding.over_place) {
+    return stop("home: the hand holds " + s_.task.target + " away from its place; take it out of the hand first");
+  }
+  if (s_.holding.something) {
+    const PosturePath path =
+        plan_put_back(arm(), p_, in_.arm->q, robot::grip_point(arm(), s_.before.q), s_.p_CG_first, closed_opening());
+    if (!path.reachable()) return fail(std::string("cannot put it back: ") + robot::describe(path.status()));
+    s_.after_release = AfterRelease::kHome;
+    enter(Phase::kRelease, "putting " + s_.task.target + " back");
+    return play(path.moves());
+  }
+  const PosturePath path = plan_home(arm(), p_, {in_.arm->q, in_.arm->gripper_opening});
+  if (!path.reachable()) return fail(std::string("no way home: ") + robot::describe(path.status()));
+  s_.after_release = AfterRelease::kHome;
+  enter(Phase::kGoHome, "on the way home");
+  play(path.moves());
+}
+
+void ProcedureStep::enter(Phase phase, const std::string& reason) {
+  s_.phase = phase;
+  s_.lost_since.reset();
+  enter_stage(0, reason);
+}
+
+void ProcedureStep::enter_stage(int stage, const std::string& reason) {
+  s_.stage = stage;
+  s_.since = in_.utime;
+  s_.seen_utime = in_.utime;
+  s_.reason = reason;
+}
+
+void ProcedureStep::refuse(const std::string& reason) {
+  s_.result = Result::kRefused;
+  enter(Phase::kRefused, reason);
+}
+
+void ProcedureStep::fail(const std::string& reason) {
+  s_.result = Result::kFailed;
+  enter(Phase::kFailed, reason);
+  hold();
+}
+
+void ProcedureStep::stop(const std::string& reason) {
+  // What is lifted stays lifted; a task that was under way did not succeed.
+  if (busy(s_.phase) && s_.result == Result::kNone) s_.result = Result::kFailed;
+  enter(Phase::kStopped, reason);
+  if (robot_.arm) hold();
+}
+
+void ProcedureStep::send(Goal goal) {
+  goal.id = s_.goal.id + 1;
+  s_.goal = std::move(goal);
+  s_.goal_is_new = true;
+}
+
+void ProcedureStep::hold() {
+  Goal goal;
+  goal.kind = GoalKind::kHold;
+  goal.force = std::min(p_.grip.force, arm().gripper.force_max);
+  if (s_.goal.id != 0) {
+    goal.opening = s_.goal.opening;
+  } else if (in_.arm) {
+    // After a restart: what is not open may be closed around something.
+    const double open = arm().gripper.opening_max;
+    goal.opening = in_.arm->gripper_opening < open - p_.grip.open_enough ? 0.0 : open;
+  } else {
+    return;  // nothing is known that could be kept
+  }
+  send(goal);
+}
+
+void ProcedureStep::play(const std::vector<Move>& moves) {
+  s_.moves = moves;
+  s_.move_index = 0;
+  if (!moves.empty()) send_move();
+}
+
+void ProcedureStep::send_move() {
+  const Move& move = s_.moves[s_.move_index];
+  s_.move_progress = MoveProgress();
+  s_.move_progress.since = in_.utime;
+  Goal goal;
+  goal.kind = move.hold ? GoalKind::kHold : GoalKind::kPosture;
+  goal.q = move.q;
+  goal.speed = move.speed;
+  goal.opening = move.opening;
+  goal.force = std::min(p_.grip.force, arm().gripper.force_max);
+  send(goal);
+}
+
+// Goes on along the way; true when its end is reached. A failure ends the task.
+bool ProcedureStep::way_is_done() {
+  if (s_.move_index >= s_.moves.size()) return true;
+  const MoveReport report = watch_move(s_.moves[s_.move_index], s_.goal.id, in_, p_.motion, s_.move_progress);
+  if (report.state == MoveState::kFailed) fail(report.reason);
+  if (report.state != MoveState::kDone) return false;
+  if (++s_.move_index == s_.moves.size()) return true;
+  send_move();
+  return false;
+}
+
+double ProcedureStep::closed_opening() const {
+  return std::max(0.0, target().grip->object_width - p_.grip.squeeze);
+}
+
+MarkReport ProcedureStep::sight_of(const std::string& name) const {
+  for (const MarkReport& mark : in_.marks) {
+    if (mark.name == name) return mark;
+  }
+  return {name, Sight::kUntold, Eigen::Vector3d::Zero()};
+}
+
+}  // namespace markservo::task_manager

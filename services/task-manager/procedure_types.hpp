@@ -1,0 +1,124 @@
+#pragma once
+
+// What the procedure is told and what it answers: plain structs behind lcmtypes. SI units, rad, camera frame C; utime
+// in us of measurement.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/robot/robot_description.hpp"
+
+namespace markservo::task_manager {
+
+// As TaskState.lcm numbers them.
+enum class Phase {
+  kIdle,
+  kLook,
+  kApproach,
+  kServo,
+  kGrip,
+  kLift,
+  kVerify,
+  kLiftOn,
+  kCarry,
+  kRelease,
+  kGoHome,
+  kHoldLifted,
+  kDone,
+  kRefused,
+  kFailed,
+  kStopped,
+};
+
+// A name as in TaskState.lcm: "IDLE", "LOOK", ...
+const char* name_of(Phase phase);
+
+// True while a task or a way home is under way.
+bool busy(Phase phase);
+
+// As TaskState.lcm numbers them.
+enum class Result { kNone, kLifted, kRefused, kFailed };
+
+enum class CommandKind { kStart, kAbort, kHome };
+
+struct Command {
+  std::int64_t session = 0;
+  std::int64_t id = 0;
+  CommandKind kind = CommandKind::kAbort;
+  std::string target;
+  bool carry = false;
+  std::optional<Eigen::Vector3d> p_CT_expected;  // m
+};
+
+// As ServoStatus.lcm numbers them.
+enum class ServoState { kHold, kPosture, kServo, kConverged, kLost, kUnreachable, kStale, kStopped };
+
+struct ServoReport {
+  std::int64_t goal_id = 0;  // of ours; 0 when it answers someone else's or none
+  ServoState state = ServoState::kHold;
+  bool settled = false;
+  std::string reason;
+};
+
+// As LocatedMark.lcm numbers them; kUntold when TARGET_POSE has no such mark.
+enum class Sight { kLocated, kUnseen, kSeenByOne, kClipped, kTooFewMatches, kInconsistent, kUntold };
+
+struct MarkReport {
+  std::string name;
+  Sight sight = Sight::kUnseen;
+  Eigen::Vector3d p_C = Eigen::Vector3d::Zero();  // m, valid when located
+};
+
+struct ArmReport {
+  std::int64_t session = 0;
+  robot::JointVector q = robot::JointVector::Zero();
+  double gripper_opening = 0.0;  // m
+};
+
+struct StopReport {
+  bool known = false;    // every stop device has spoken
+  bool latched = false;  // one at least
+  std::string reason;    // which, and by whom
+};
+
+// Everything at one SERVO_STATUS.
+struct Input {
+  std::int64_t utime = 0;  // the frame's
+  ServoReport servo;
+  std::int64_t pose_utime = 0;  // of the newest TARGET_POSE; 0: none yet
+  std::vector<MarkReport> marks;
+  std::optional<ArmReport> arm;
+  StopReport stop;
+  std::vector<Command> commands;  // that came since the last step, repeats included
+};
+
+enum class GoalKind { kHold, kPosture, kServo };
+
+struct Goal {
+  std::int64_t id = 0;  // grows with every new goal; 0: none yet
+  GoalKind kind = GoalKind::kHold;
+  std::string target;
+  Eigen::Vector3d p_TG = Eigen::Vector3d::Zero();  // m
+  double tolerance = 0.0;                          // m
+  double speed = 0.0;                              // m/s; 0: visual-servo's own
+  robot::JointVector q = robot::JointVector::Zero();
+  double opening = 0.0;  // m
+  double force = 0.0;    // N
+};
+
+struct Output {
+  Phase phase = Phase::kIdle;
+  int attempt = 0;
+  Result result = Result::kNone;
+  std::string target;
+  std::string reason;
+  std::int64_t command_session = 0;
+  std::int64_t command_id = 0;
+  std::optional<Goal> goal;          // to send now
+  std::vector<std::string> notices;  // for the log
+};
+
+}  // namespace markservo::task_manager

@@ -1,0 +1,172 @@
+#include "services/task-manager/task_manager_node.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <stdexcept>
+
+#include "common/bus/message_traits.hpp"
+#include "common/robot/configuration_error.hpp"
+#include "services/task-manager/options.hpp"
+
+namespace markservo::task_manager {
+namespace {
+
+static_assert(static_cast<int>(Phase::kLook) == 1 && static_cast<int>(Phase::kStopped) == 15,
+              "phases as TaskState.lcm numbers them");
+static_assert(static_cast<int>(ServoState::kStopped) == 7, "as ServoStatus.lcm numbers them");
+static_assert(static_cast<int>(Sight::kInconsistent) == 5, "as LocatedMark.lcm numbers them");
+
+Eigen::Vector3d vector(const Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+
+template <class Enum>
+Enum checked(int value, Enum last, const char* what) {
+  if (value < 0 || value > static_cast<int>(last)) {
+    throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) + "; allowed: 0 to " +
+                                std::to_string(static_cast<int>(last)));
+  }
+  return static_cast<Enum>(value);
+}
+
+}  // namespace
+
+void TaskManagerNode::add_options(CLI::App& app) {
+  add_parameter_options(app, parameters_);
+}
+
+void TaskManagerNode::configure(const std::string& robot_file) {
+  robot_ = robot::load_robot_description(robot_file);
+  if (parameters_.carry.place_radius_max < parameters_.carry.place_radius_min) {
+    throw ConfigurationError("place-radius-max is " + std::to_string(parameters_.carry.place_radius_max) +
+                             " m; allowed: at least place-radius-min, " +
+                             std::to_string(parameters_.carry.place_radius_min) + " m");
+  }
+  procedure_.emplace(robot_, parameters_);
+}
+
+void TaskManagerNode::start(bus::Bus& bus) {
+  bus_ = &bus;
+  goals_.emplace(bus.advertise<ServoGoal>("SERVO_GOAL"));
+  states_.emplace(bus.advertise<TaskState>("TASK_STATE"));
+  bus.on_each_from_many<TaskCommand>("TASK_COMMAND", [this](const TaskCommand& command) { on_command(command); });
+  bus.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& stop) { on_stop(stop); });
+  bus.on_each<JointState>("JOINT_STATE", [this](const JointState& joints) { on_joints(joints); });
+  bus.on_each<TargetPose>("TARGET_POSE", [this](const TargetPose& pose) { on_pose(pose); });
+  bus.on_each<ServoStatus>("SERVO_STATUS", [this](const ServoStatus& status) { on_status(status); });
+}
+
+void TaskManagerNode::on_command(const TaskCommand& message) {
+  Command command;
+  command.session = message.session;
+  command.id = message.command_id;
+  command.kind = message.kind == TaskCommand::START  ? CommandKind::kStart
+                 : message.kind == TaskCommand::HOME ? CommandKind::kHome
+                                                     : CommandKind::kAbort;
+  command.target = message.target;
+  command.carry = message.carry != 0;
+  if (message.expected_known != 0) command.p_CT_expected = vector(message.p_CT_expected);
+  input_.commands.push_back(command);
+}
+
+void TaskManagerNode::on_pose(const TargetPose& pose) {
+  std::vector<MarkReport> marks;
+  for (const LocatedMark& mark : pose.marks) {
+    marks.push_back({mark.name, checked(mark.status, Sight::kInconsistent, "a mark's status"), vector(mark.p_C)});
+  }
+  input_.pose_utime = pose.utime;
+  input_.marks = std::move(marks);
+}
+
+void TaskManagerNode::on_joints(const JointState& joints) {
+  if (joints.num_joints != robot::kNumJoints) {
+    throw std::invalid_argument("JOINT_STATE has " + std::to_string(joints.num_joints) + " joints; allowed: " +
+                                std::to_string(robot::kNumJoints) + ", as the robot's description");
+  }
+  ArmReport arm;
+  arm.session = joints.session;
+  for (int i = 0; i < robot::kNumJoints; ++i) arm.q[i] = joints.position[static_cast<std::size_t>(i)];
+  arm.gripper_opening = joints.gripper_opening;
+  input_.arm = arm;
+}
+
+void TaskManagerNode::on_stop(const StopState& stop) {
+  stops_[stop.device] = stop;
+}
+
+StopReport TaskManagerNode::stop_report() const {
+  StopReport report;
+  report.known = true;
+  for (const std::string& device : robot_.stop_devices) {
+    const auto found = stops_.find(device);
+    if (found == stops_.end()) {
+      report.known = false;
+    } else if (found->second.latched != 0) {
+      report.latched = true;
+      report.reason += (report.reason.empty() ? "" : "; ") + device + ": " + found->second.reason;
+    }
+  }
+  return report;
+}
+
+void TaskManagerNode::on_status(const ServoStatus& status) {
+  input_.utime = status.frame_utime;
+  input_.servo.goal_id = status.goal_session == goals_->session() ? status.goal_id : 0;
+  input_.servo.state = checked(status.state, ServoState::kStopped, "SERVO_STATUS.state");
+  input_.servo.settled = status.settled != 0;
+  input_.servo.reason = status.reason;
+  input_.stop = stop_report();
+  const Output output = procedure_->step(input_, state_);
+  input_.commands.clear();
+  tell(output, input_.utime);
+
+  if (output.goal) send(*output.goal, status);
+  TaskState message;
+  bus::answer_frame(message, status);
+  message.command_session = output.command_session;
+  message.command_id = output.command_id;
+  message.state = static_cast<int8_t>(output.phase);
+  message.attempt = output.attempt;
+  message.result = static_cast<int8_t>(output.result);
+  message.target = output.target;
+  message.reason = output.reason;
+  states_->publish(message);
+}
+
+void TaskManagerNode::send(const Goal& goal, const ServoStatus& status) {
+  ServoGoal message;
+  message.utime = status.frame_utime;
+  message.goal_id = goal.id;
+  message.kind = static_cast<int8_t>(goal.kind);
+  message.target = goal.target;
+  message.p_TG_C.x = goal.p_TG.x();
+  message.p_TG_C.y = goal.p_TG.y();
+  message.p_TG_C.z = goal.p_TG.z();
+  message.tolerance = goal.tolerance;
+  message.speed = goal.speed;
+  message.num_joints = 0;
+  if (goal.kind == GoalKind::kPosture) {
+    message.num_joints = robot::kNumJoints;
+    message.position.assign(goal.q.data(), goal.q.data() + robot::kNumJoints);
+  }
+  message.gripper_opening = goal.opening;
+  message.gripper_force = goal.force;
+  goals_->publish(message);
+}
+
+// The log: every notice and every change, with the task's own time.
+void TaskManagerNode::tell(const Output& output, std::int64_t utime) {
+  for (const std::string& notice : output.notices) spdlog::info("{}", notice);
+  const bool changed = !told_ || told_->phase != output.phase || told_->reason != output.reason ||
+                       told_->command_id != output.command_id || told_->command_session != output.command_session;
+  if (!changed) return;
+  const bool begins = busy(output.phase) && (!told_ || !busy(told_->phase));
+  if (begins) task_began_ = utime;
+  const double seconds = task_began_ == 0 ? 0.0 : seconds_between(task_began_, utime);
+  spdlog::info("{:8.2f} s  {}{}{}{}", seconds, name_of(output.phase), output.target.empty() ? "" : " ", output.target,
+               output.reason.empty() ? "" : ": " + output.reason);
+  bus_->set_state(name_of(output.phase), output.reason);
+  told_ = output;
+}
+
+}  // namespace markservo::task_manager

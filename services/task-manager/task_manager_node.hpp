@@ -1,0 +1,53 @@
+#pragma once
+
+// The procedure on the bus.
+//   in:  TASK_COMMAND, TARGET_POSE, JOINT_STATE, STOP_STATE, SERVO_STATUS, each message in order of arrival
+//   out: TASK_STATE, one per SERVO_STATUS; SERVO_GOAL, when it is new and at 5 Hz of message time
+
+#include <map>
+#include <markservo/JointState.hpp>
+#include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
+#include <markservo/StopState.hpp>
+#include <markservo/TargetPose.hpp>
+#include <markservo/TaskCommand.hpp>
+#include <markservo/TaskState.hpp>
+#include <optional>
+#include <string>
+
+#include "common/bus/service.hpp"
+#include "services/task-manager/procedure.hpp"
+
+namespace markservo::task_manager {
+
+class TaskManagerNode : public bus::Service {
+ public:
+  void add_options(CLI::App& app) override;
+  void configure(const std::string& robot_file) override;
+  void start(bus::Bus& bus) override;
+
+ private:
+  void on_command(const TaskCommand& command);
+  void on_pose(const TargetPose& pose);
+  void on_joints(const JointState& joints);
+  void on_stop(const StopState& stop);
+  void on_status(const ServoStatus& status);
+  StopReport stop_report() const;
+  void send(const Goal& goal, const ServoStatus& status);
+  void tell(const Output& output, std::int64_t utime);
+
+  Parameters parameters_;
+  robot::RobotDescription robot_;
+  std::optional<Procedure> procedure_;
+  State state_;
+  Input input_;                             // what has come since the last step
+  std::map<std::string, StopState> stops_;  // by device
+  std::optional<Output> told_;              // what the log said last
+  std::int64_t task_began_ = 0;             // us
+
+  bus::Bus* bus_ = nullptr;
+  std::optional<bus::Publisher<ServoGoal>> goals_;
+  std::optional<bus::Publisher<TaskState>> states_;
+};
+
+}  // namespace markservo::task_manager
