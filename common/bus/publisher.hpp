@@ -38,6 +38,9 @@ class Publisher {
     ++seq_;
   }
 
+  // Leaves a number out: a message that was lost on its way, as readers will count it.
+  void skip() { ++seq_; }
+
   int64_t session() const { return session_; }
 
  private:

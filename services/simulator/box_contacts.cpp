@@ -26,7 +26,8 @@ bool inside(const mjModel* model, const mjData* data, int geom, const mjtNum* po
   return true;
 }
 
-int checked_box_box(const mjModel* model, const mjData* data, mjContact* contacts, int geom1, int geom2, mjtNum margin) {
+int checked_box_box(const mjModel* model, const mjData* data, mjContact* contacts, int geom1, int geom2,
+                    mjtNum margin) {
   const int count = box_box(model, data, contacts, geom1, geom2, margin);
   mjContact* const end = std::remove_if(contacts, contacts + count, [&](const mjContact& contact) {
     return !inside(model, data, geom1, contact.pos) || !inside(model, data, geom2, contact.pos);

@@ -34,7 +34,7 @@ EGLDisplay surfaceless_display() {
 struct StereoRenderer::Context {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext egl = EGL_NO_CONTEXT;
-  bool loaded = false;
+  std::uint64_t loaded_world = 0;  // 0: none
   mjrContext gl;
   mjvScene scene;
   mjvOption option;
@@ -66,10 +66,20 @@ struct StereoRenderer::Context {
   Context& operator=(const Context&) = delete;
 
   void unload() {
-    if (!loaded) return;
+    if (loaded_world == 0) return;
     mjr_freeContext(&gl);
     mjv_freeScene(&scene);
-    loaded = false;
+    loaded_world = 0;
+  }
+
+  void load(const World& world) {
+    unload();
+    mjv_makeScene(world.model(), &scene, kMaxDrawnGeoms);
+    mjr_makeContext(world.model(), &gl, mjFONTSCALE_100);
+    loaded_world = world.id();
+    mjr_setBuffer(mjFB_OFFSCREEN, &gl);
+    if (gl.currentBuffer != mjFB_OFFSCREEN) throw std::runtime_error("OpenGL: no offscreen buffer");
+    for (const int effect : {mjRND_SHADOW, mjRND_REFLECTION, mjRND_SKYBOX, mjRND_HAZE}) scene.flags[effect] = 0;
   }
 
   cv::Mat draw(const World& world, const char* camera_name) {
@@ -92,21 +102,8 @@ struct StereoRenderer::Context {
 StereoRenderer::StereoRenderer() : context_(std::make_unique<Context>()) {}
 StereoRenderer::~StereoRenderer() = default;
 
-void StereoRenderer::load(const World& world) {
-  context_->unload();
-  mjv_makeScene(world.model(), &context_->scene, kMaxDrawnGeoms);
-  mjr_makeContext(world.model(), &context_->gl, mjFONTSCALE_100);
-  mjr_setBuffer(mjFB_OFFSCREEN, &context_->gl);
-  context_->loaded = true;
-  if (context_->gl.currentBuffer != mjFB_OFFSCREEN) throw std::runtime_error("OpenGL: no offscreen buffer");
-  context_->scene.flags[mjRND_SHADOW] = 0;
-  context_->scene.flags[mjRND_REFLECTION] = 0;
-  context_->scene.flags[mjRND_SKYBOX] = 0;
-  context_->scene.flags[mjRND_HAZE] = 0;
-}
-
 ImagePair StereoRenderer::render(const World& world) {
-  if (!context_->loaded) throw std::logic_error("StereoRenderer::render before load");
+  if (context_->loaded_world != world.id()) context_->load(world);
   mjvCamera camera;
   mjv_defaultCamera(&camera);
   mjv_updateScene(world.model(), world.data(), &context_->option, nullptr, &camera, mjCAT_ALL, &context_->scene);

@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -27,6 +28,11 @@ constexpr double kFingerStiffness = 20000.0;  // N/m
 constexpr double kFingerDamping = 200.0;      // N s/m, the model's own
 
 constexpr double kSettlingTime = 0.3;  // s, for the books to come to rest on the shelf
+
+std::uint64_t next_id() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
 
 const char* const kJointNames[] = {"yaw", "shoulder", "elbow"};
 
@@ -79,7 +85,7 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 World::World(const robot::RobotDescription& robot, const Scene& scene, const Settings& settings, std::uint64_t seed)
-    : robot_(robot), settings_(settings) {
+    : id_(next_id()), robot_(robot), settings_(settings) {
   check_against_robot(settings, robot);
   drop_impossible_box_contacts();
   // MuJoCo would write a log file into the working folder; step() looks at the warnings' counters instead.

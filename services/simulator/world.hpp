@@ -84,6 +84,8 @@ class World {
   // What is true now. Also brings the model's poses up to date for drawing.
   WorldTruth truth();
 
+  // Another one for each World that was ever built in this process.
+  std::uint64_t id() const { return id_; }
   const mjModel_* model() const { return model_.get(); }
   mjData_* data() const { return data_.get(); }
 
@@ -108,6 +110,7 @@ class World {
   double lowest_point(int body) const;
   ServoParameters servo_parameters(int joint) const;
 
+  std::uint64_t id_;
   robot::RobotDescription robot_;
   Settings settings_;
   std::unique_ptr<mjModel_, ModelDeleter> model_;

@@ -1,0 +1,46 @@
+#pragma once
+
+// Lockstep: the world stands still until every awaited channel has answered the newest frame.
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace markservo::simulator {
+
+class LockstepBarrier {
+ public:
+  explicit LockstepBarrier(std::vector<std::string> channels) : channels_(std::move(channels)) {}
+
+  // A new frame to be answered.
+  void expect(std::int64_t frame_session, std::int64_t frame_seq) {
+    session_ = frame_session;
+    seq_ = frame_seq;
+    answered_.clear();
+  }
+
+  // An answer on `channel`; counts if it is to the expected frame.
+  void note(const std::string& channel, std::int64_t frame_session, std::int64_t frame_seq) {
+    if (frame_session == session_ && frame_seq == seq_) answered_.insert(channel);
+  }
+
+  bool complete() const { return missing().empty(); }
+
+  // The channels still awaited, as "A, B".
+  std::string missing() const {
+    std::string names;
+    for (const auto& channel : channels_) {
+      if (answered_.count(channel) == 0) names += (names.empty() ? "" : ", ") + channel;
+    }
+    return names;
+  }
+
+ private:
+  std::vector<std::string> channels_;
+  std::int64_t session_ = 0;
+  std::int64_t seq_ = 0;
+  std::set<std::string> answered_;
+};
+
+}  // namespace markservo::simulator

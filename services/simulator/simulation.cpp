@@ -1,0 +1,130 @@
+#include "services/simulator/simulation.hpp"
+
+#include <cmath>
+
+#include "common/robot/configuration_error.hpp"
+#include "services/simulator/random.hpp"
+#include "services/simulator/scene_model.hpp"
+
+namespace markservo::simulator {
+namespace {
+
+const std::int64_t kStep_us = std::llround(kTimeStep * 1e6);
+constexpr std::int64_t kResetPause_us = 1'000'000;
+
+Settings with(Settings settings, const Assignments& changes) {
+  for (const auto& [name, value] : changes) set_value(settings, name, value);
+  return settings;
+}
+
+void require_changeable(const std::string& name) {
+  for (const SettingDescription& setting : setting_descriptions()) {
+    if (name == setting.name && setting.takes_effect == TakesEffect::kAtReset) {
+      throw ConfigurationError("setting '" + name + "' cannot change in the running world; allowed: with RESET");
+    }
+  }
+}
+
+}  // namespace
+
+Simulation::Simulation(robot::RobotDescription robot, Scene scene, const Settings& start, std::uint64_t seed,
+                       Timing timing, std::int64_t session)
+    : robot_(std::move(robot)),
+      scene_(std::move(scene)),
+      start_(start),
+      settings_(start),
+      seed_(seed),
+      timing_(timing),
+      world_(robot_, scene_, start, seed),
+      gate_(session),
+      schedule_(start.frames_rate_hz, kTimeStep, 0) {}
+
+void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
+  const Settings settings = with(start_, changes);
+  world_ = World(robot_, scene_, settings, seed);
+  settings_ = settings;
+  seed_ = seed;
+  gate_.restart(frame_seq_);
+  delayed_.clear();
+  step_count_ += kResetPause_us / kStep_us;
+  frame_number_ = 0;
+  exposed_step_ = -1;
+  schedule_ = FrameSchedule(settings_.frames_rate_hz, kTimeStep, step_count_);
+}
+
+void Simulation::set(const Assignments& changes) {
+  const Settings settings = with(settings_, changes);
+  for (const auto& change : changes) require_changeable(change.first);
+  const bool new_rate = settings.frames_rate_hz != settings_.frames_rate_hz;
+  settings_ = settings;
+  world_.change(settings_);
+  if (new_rate) restart_schedule();
+}
+
+void Simulation::restart_schedule() {
+  schedule_ = FrameSchedule(settings_.frames_rate_hz, kTimeStep, exposed_step_ >= 0 ? exposed_step_ : step_count_);
+  if (exposed_step_ >= 0) schedule_.advance();
+}
+
+void Simulation::stop() {
+  gate_.latch();
+  delayed_.clear();
+  world_.freeze();
+}
+
+void Simulation::release() {
+  gate_.unlatch(frame_seq_);
+}
+
+CommandVerdict Simulation::command(const FrameIdentity& answered, const ArmCommand& command) {
+  const CommandVerdict verdict = gate_.offer(answered, frame_seq_, utime());
+  ++verdicts_[verdict];
+  if (verdict != CommandVerdict::kObeyed) return verdict;
+  if (timing_ == Timing::kLockstep) {
+    const std::int64_t answered_number = frame_number_ - (frame_seq_ - answered.seq);
+    delayed_.add(answered_number + std::llround(settings_.servo_delay_frames), command);
+  } else {
+    delayed_.add(utime() + std::llround(settings_.servo_delay_s * 1e6), command);
+  }
+  return verdict;
+}
+
+void Simulation::step() {
+  const std::int64_t now = timing_ == Timing::kLockstep ? frame_number_ : utime();
+  if (const auto due = delayed_.take(now)) world_.command(*due);
+  if (gate_.silent(utime())) {
+    delayed_.clear();
+    world_.freeze();
+  }
+  world_.step();
+  ++step_count_;
+}
+
+std::int64_t Simulation::utime() const {
+  return kEpoch_us + step_count_ * kStep_us;
+}
+
+void Simulation::expose(std::int64_t seq) {
+  frame_seq_ = seq;
+  if (exposed_step_ == step_count_) return;
+  exposed_step_ = step_count_;
+  ++frame_number_;
+  schedule_.advance();
+}
+
+bool Simulation::dropped() const {
+  constexpr std::uint64_t kStream = 0x33;
+  return RandomBits(seed_for(seed_, kStream, frame_number())).uniform() < settings_.frames_drop_rate;
+}
+
+ImageEffects Simulation::effects() const {
+  ImageEffects effects;
+  effects.blur_px = settings_.image_blur_px;
+  effects.gain_red = settings_.light_gain * settings_.light_cast_red;
+  effects.gain_green = settings_.light_gain * settings_.light_cast_green;
+  effects.gain_blue = settings_.light_gain * settings_.light_cast_blue;
+  effects.noise_sigma = settings_.image_noise_sigma;
+  return effects;
+}
+
+}  // namespace markservo::simulator

@@ -1,0 +1,97 @@
+#pragma once
+
+// The running simulation without the bus: the world, its time, its frames, and which commands move the arm when.
+// Simulated time begins at a fixed epoch, never goes back, and advances only by step() and reset().
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/robot/robot_description.hpp"
+#include "services/simulator/command_gate.hpp"
+#include "services/simulator/delayed_commands.hpp"
+#include "services/simulator/frame_schedule.hpp"
+#include "services/simulator/image_effects.hpp"
+#include "services/simulator/scene.hpp"
+#include "services/simulator/settings.hpp"
+#include "services/simulator/world.hpp"
+
+namespace markservo::simulator {
+
+inline constexpr std::int64_t kEpoch_us = 1'600'000'000'000'000;  // 2020-09-13 12:26:40 UTC
+
+enum class Timing {
+  kRealTime,  // commands take effect servo.delay_s after they came
+  kLockstep,  // commands take effect servo.delay_frames after the frame that they answer
+};
+
+// Names and values as SIM_CONTROL carries them.
+using Assignments = std::vector<std::pair<std::string, double>>;
+
+class Simulation {
+ public:
+  // `session` is what STEREO_FRAME carries. Throws ConfigurationError if the world cannot be built.
+  Simulation(robot::RobotDescription robot, Scene scene, const Settings& start, std::uint64_t seed, Timing timing,
+             std::int64_t session);
+
+  // Builds the world anew from the start's settings with `changes` on top; the arm is latched. The clock goes on by a
+  // second, so that whatever was said before is stale. Throws ConfigurationError and changes nothing if it cannot be.
+  void reset(std::uint64_t seed, const Assignments& changes);
+
+  // Changes settings that show at once. Throws ConfigurationError and changes nothing if one cannot be.
+  void set(const Assignments& changes);
+
+  // Latches the arm where it is; the grip keeps its force.
+  void stop();
+  // Unlatches it; it moves when a command answers a frame exposed after this.
+  void release();
+  bool latched() const { return gate_.latched(); }
+
+  // A command that comes now.
+  CommandVerdict command(const FrameIdentity& answered, const ArmCommand& command);
+  // How many commands had which verdict.
+  const std::map<CommandVerdict, std::int64_t>& verdicts() const { return verdicts_; }
+
+  // Lets kTimeStep pass. Throws std::runtime_error if the physics diverged.
+  void step();
+  std::int64_t utime() const;  // us
+
+  // True when the next frame's exposure is now.
+  bool frame_due() const { return step_count_ >= schedule_.next(); }
+  // Exposes the frame `seq` now. An exposure may be repeated under a new seq while time stands still.
+  void expose(std::int64_t seq);
+  // True if the exposed frame is one of the lost ones.
+  bool dropped() const;
+  // Seeds of the exposed frame's noise; side 0 is left, 1 right.
+  std::uint64_t noise_seed_of(int side) const { return noise_seed(seed_, frame_number(), side); }
+  ImageEffects effects() const;
+
+  World& world() { return world_; }
+  const robot::RobotDescription& robot() const { return robot_; }
+  const Settings& settings() const { return settings_; }
+  std::uint64_t seed() const { return seed_; }
+
+ private:
+  std::uint64_t frame_number() const { return static_cast<std::uint64_t>(frame_number_); }
+  void restart_schedule();
+
+  robot::RobotDescription robot_;
+  Scene scene_;
+  Settings start_;
+  Settings settings_;
+  std::uint64_t seed_;
+  Timing timing_;
+  World world_;
+  CommandGate gate_;
+  DelayedCommands delayed_;
+  FrameSchedule schedule_;
+  std::int64_t step_count_ = 0;    // since the start; time is counted by it
+  std::int64_t frame_number_ = 0;  // since the reset, of the exposed frame; 0 before the first
+  std::int64_t frame_seq_ = 0;     // of the exposed frame
+  std::int64_t exposed_step_ = -1;
+  std::map<CommandVerdict, std::int64_t> verdicts_;
+};
+
+}  // namespace markservo::simulator

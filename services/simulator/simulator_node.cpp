@@ -1,0 +1,348 @@
+#include "services/simulator/simulator_node.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <iostream>
+#include <markservo/MarkDetection.hpp>
+#include <markservo/ServoStatus.hpp>
+#include <markservo/TargetPose.hpp>
+#include <markservo/TaskState.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "common/bus/network_check.hpp"
+#include "common/robot/configuration_error.hpp"
+#include "services/simulator/messages.hpp"
+#include "services/simulator/scene_model.hpp"
+
+namespace markservo::simulator {
+namespace {
+
+using std::chrono::duration;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr std::int64_t kJointStatePeriod_us = 10'000;
+constexpr std::chrono::milliseconds kRepublishPeriod{500};  // of a frame that nobody could answer yet
+constexpr milliseconds kPatience{1000};                     // before the state says what is waited for
+constexpr milliseconds kSlipLimit{100};                     // how far simulated time may fall behind before it slips
+
+const std::vector<std::string> kAnsweringChannels = {"JOINT_COMMAND", "TASK_STATE",     "SERVO_STATUS",
+                                                     "TARGET_POSE",   "MARK_DETECTION", "SIM_CONTROL"};
+
+std::string settings_help() {
+  std::string names;
+  for (const auto& setting : setting_descriptions()) names += std::string(names.empty() ? "" : ", ") + setting.name;
+  return "A setting, name=value, repeatable (--list-settings explains them): " + names;
+}
+
+}  // namespace
+
+void SimulatorNode::add_options(CLI::App& app) {
+  app.add_option("--scene", scene_file_, "The world around the robot")->capture_default_str();
+  app.add_option("--seed", seed_, "Seed of all that is random")->check(CLI::NonNegativeNumber)->capture_default_str();
+  app.add_option("--set", assignments_, settings_help());
+  app.add_flag("--lockstep", lockstep_, "Stand still until every awaited channel has answered the frame");
+  app.add_option("--wait-for", wait_for_, "Channels awaited in lockstep")
+      ->delimiter(',')
+      ->check(CLI::IsMember(kAnsweringChannels))
+      ->capture_default_str();
+  app.add_option("--lockstep-timeout", lockstep_timeout_s_,
+                 "Wait for answers at most this long, s; then the run is invalid")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  app.add_option("--encoding", encoding_, "raw, jpeg, or auto: raw where the network's buffers hold it")
+      ->check(CLI::IsMember({"auto", "raw", "jpeg"}))
+      ->capture_default_str();
+  app.add_option("--jpeg-quality", jpeg_quality_, "1 to 100")->check(CLI::Range(1, 100))->capture_default_str();
+  app.add_option("--snapshot", snapshot_, "Write one picture pair, side by side, to this file and exit")
+      ->configurable(false);
+  app.add_flag("--list-settings", list_settings_, "Print all settings with values and meaning and exit")
+      ->configurable(false);
+}
+
+void SimulatorNode::configure(const std::string& robot_file) {
+  robot_ = robot::load_robot_description(robot_file);
+  scene_ = load_scene(scene_file_, robot_);
+  settings_ = default_settings(robot_, lockstep_);
+  for (const std::string& assignment : assignments_) set_from_text(settings_, assignment);
+  check_against_robot(settings_, robot_);
+  if (list_settings_) return;
+  try {
+    renderer_ = std::make_unique<StereoRenderer>();
+  } catch (const std::runtime_error& error) {
+    throw ConfigurationError(error.what());
+  }
+}
+
+std::optional<int> SimulatorNode::run_alone() {
+  if (list_settings_) {
+    std::cout << list_settings(settings_);
+    return bus::kExitStopped;
+  }
+  if (snapshot_.empty()) return std::nullopt;
+  simulation_ =
+      std::make_unique<Simulation>(robot_, scene_, settings_, static_cast<std::uint64_t>(seed_), Timing::kLockstep, 0);
+  simulation_->expose(1);
+  simulation_->world().truth();
+  const ImagePair images = draw();
+  cv::Mat both;
+  cv::hconcat(images.left, images.right, both);
+  bool written = false;
+  try {
+    written = cv::imwrite(snapshot_, both);
+  } catch (const cv::Exception&) {  // a file name that OpenCV knows no format for
+  }
+  if (!written)
+    throw ConfigurationError("--snapshot is '" + snapshot_ + "'; allowed: a .png or .jpg that can be written");
+  return bus::kExitStopped;
+}
+
+void SimulatorNode::start(bus::Bus& bus) {
+  const Timing timing = lockstep_ ? Timing::kLockstep : Timing::kRealTime;
+  simulation_ =
+      std::make_unique<Simulation>(robot_, scene_, settings_, static_cast<std::uint64_t>(seed_), timing, bus.session());
+  choose_encoding(bus.urls());
+  frames_ = bus.advertise<StereoFrame>("STEREO_FRAME");
+  joint_states_ = bus.advertise<JointState>("JOINT_STATE");
+  stop_states_ = bus.advertise<StopState>("STOP_STATE");
+  truths_ = bus.advertise<SimTruth>("SIM_TRUTH");
+  subscribe(bus);
+  // The first picture takes some 0.4 s: here, not when time already runs.
+  simulation_->world().truth();
+  draw();
+}
+
+void SimulatorNode::choose_encoding(const bus::BusUrls& urls) {
+  raw_ = encoding_ == "raw";
+  if (encoding_ != "auto") return;
+  raw_ = bus::raw_frames_fit(urls.out);
+  if (!raw_) spdlog::warn("{}", bus::raw_frames_advice());
+}
+
+void SimulatorNode::subscribe(bus::Bus& bus) {
+  bus.on_each<JointCommand>("JOINT_COMMAND", [this](const JointCommand& message) { on_joint_command(message); });
+  bus.on_each_from_many<StopRequest>("STOP", [this](const StopRequest& message) { on_stop(message); });
+  bus.on_each_from_many<SimControl>("SIM_CONTROL", [this](const SimControl& message) { on_control(message); });
+  if (!lockstep_) return;
+  barrier_ = LockstepBarrier(wait_for_);
+  for (const std::string& channel : wait_for_) await_channel(bus, channel);
+}
+
+void SimulatorNode::await_channel(bus::Bus& bus, const std::string& channel) {
+  const auto note = [this, channel](const auto& message) {
+    barrier_.note(channel, message.frame_session, message.frame_seq);
+  };
+  if (channel == "TASK_STATE") bus.on_each<TaskState>(channel, note);
+  if (channel == "SERVO_STATUS") bus.on_each<ServoStatus>(channel, note);
+  if (channel == "TARGET_POSE") bus.on_each<TargetPose>(channel, note);
+  if (channel == "MARK_DETECTION") bus.on_each<MarkDetection>(channel, note);
+  // JOINT_COMMAND and SIM_CONTROL are subscribed anyway; their handlers tell the barrier.
+}
+
+void SimulatorNode::on_joint_command(const JointCommand& message) {
+  const CommandVerdict verdict =
+      simulation_->command({message.frame_session, message.frame_seq, message.frame_utime}, arm_command(message));
+  barrier_.note("JOINT_COMMAND", message.frame_session, message.frame_seq);
+  switch (verdict) {
+    case CommandVerdict::kObeyed:
+    case CommandVerdict::kLatched:      // commands go on while the arm is stopped
+    case CommandVerdict::kBeforeReset:  // and those under way at a reset come late
+      break;
+    default:
+      throw std::runtime_error(std::string("command for frame ") + std::to_string(message.frame_seq) + " " +
+                               describe(verdict));
+  }
+}
+
+void SimulatorNode::on_stop(const StopRequest& message) {
+  if (message.kind != StopRequest::STOP && message.kind != StopRequest::RESET) {
+    throw std::invalid_argument("kind is " + std::to_string(message.kind) + "; allowed: 0 (stop) or 1 (reset)");
+  }
+  if (stops_.accept(message.session, message.request_id)) {
+    stop_reason_ = (message.source.empty() ? "someone" : message.source) + ": " + message.reason;
+    if (message.kind == StopRequest::STOP) {
+      simulation_->stop();
+    } else {
+      simulation_->release();
+    }
+    spdlog::info("STOP {} by {}", message.kind == StopRequest::STOP ? "latched" : "reset", stop_reason_);
+  }
+  publish_stop_state();
+}
+
+void SimulatorNode::on_control(const SimControl& message) {
+  if (message.kind == SimControl::STEP) {
+    barrier_.note("SIM_CONTROL", message.frame_session, message.frame_seq);
+    return;
+  }
+  if (controls_.accept(message.session, message.control_id)) {
+    control_error_.clear();
+    try {
+      obey_control(message);
+    } catch (const ConfigurationError& error) {
+      control_error_ = error.what();
+      spdlog::warn("SIM_CONTROL {}: {}", message.control_id, control_error_);
+    }
+  }
+  // A reset's echo comes with its first frame; everything else is echoed at once.
+  if (!world_is_new_ && frame_seq_ > 0) publish_truth();
+}
+
+void SimulatorNode::obey_control(const SimControl& message) {
+  Assignments changes;
+  for (const SimParameter& parameter : message.parameters) changes.emplace_back(parameter.name, parameter.value);
+  if (message.kind == SimControl::SET) {
+    simulation_->set(changes);
+    return;
+  }
+  if (message.seed < 0) throw ConfigurationError("seed is " + std::to_string(message.seed) + "; allowed: 0 or more");
+  simulation_->reset(static_cast<std::uint64_t>(message.seed), changes);
+  stop_reason_ = "the world was reset";
+  valid_ = true;
+  world_is_new_ = true;
+}
+
+void SimulatorNode::run(bus::Bus& bus) {
+  if (lockstep_) {
+    run_lockstep(bus);
+  } else {
+    run_real_time(bus);
+  }
+}
+
+void SimulatorNode::run_lockstep(bus::Bus& bus) {
+  while (true) {
+    expose_frame();
+    const bool lost = simulation_->dropped();
+    if (!lost && !wait_for_answers(bus)) return;
+    if (lost && !bus.poll(milliseconds(0))) return;
+    while (!world_is_new_ && !simulation_->frame_due()) step();
+  }
+}
+
+bool SimulatorNode::wait_for_answers(bus::Bus& bus) {
+  const SteadyTime begin = steady_clock::now();
+  SteadyTime published = begin;
+  while (!barrier_.complete()) {
+    if (!bus.poll(milliseconds(20))) return false;
+    if (world_is_new_) return true;
+    const SteadyTime now = steady_clock::now();
+    if (now - begin > kPatience) bus.set_state("waiting", "for " + barrier_.missing());
+    if (!answered_once_) {
+      // Nothing runs yet that could answer: services may start in any order.
+      if (now - published < kRepublishPeriod) continue;
+      expose_frame();
+      published = now;
+      continue;
+    }
+    if (now - begin < duration<double>(lockstep_timeout_s_)) continue;
+    if (valid_) {
+      spdlog::error("frame {}: no answer on {} within {} s: this run is invalid until the next RESET", frame_seq_,
+                    barrier_.missing(), lockstep_timeout_s_);
+    }
+    valid_ = false;
+    return true;
+  }
+  answered_once_ = true;
+  bus.set_state("lockstep");
+  return true;
+}
+
+void SimulatorNode::run_real_time(bus::Bus& bus) {
+  bus.set_state("real time");
+  SteadyTime start = steady_clock::now();
+  std::int64_t start_utime = simulation_->utime();
+  while (true) {
+    if (world_is_new_ || simulation_->frame_due()) expose_frame();
+    const SteadyTime now = steady_clock::now();
+    SteadyTime wanted = start + std::chrono::microseconds(simulation_->utime() - start_utime);
+    if (wanted < now - kSlipLimit || wanted > now + kSlipLimit) {
+      // Too slow a machine, or the clock's jump at a reset: time goes on from here.
+      wanted = start = now;
+      start_utime = simulation_->utime();
+    }
+    const auto early = std::chrono::ceil<milliseconds>(wanted - now);
+    if (!bus.poll(std::max(early, milliseconds(0)))) return;
+    if (world_is_new_ || steady_clock::now() < wanted) continue;
+    // In bites of one joint state, so that commands are taken in at 100 Hz.
+    do {
+      step();
+    } while (!simulation_->frame_due() && (simulation_->utime() - kEpoch_us) % kJointStatePeriod_us != 0);
+  }
+}
+
+void SimulatorNode::step() {
+  try {
+    simulation_->step();
+  } catch (const std::runtime_error& error) {
+    spdlog::error("{}: the world begins anew, this run is invalid", error.what());
+    simulation_->reset(simulation_->seed(), {});
+    valid_ = false;
+    world_is_new_ = true;
+    stop_reason_ = error.what();
+  }
+  const bool exposure = simulation_->frame_due();  // then the joints are told at the exposure itself
+  if (exposure || (simulation_->utime() - kEpoch_us) % kJointStatePeriod_us == 0) publish_joint_state();
+  if (stop_state_timer_.due(simulation_->utime())) publish_stop_state();
+}
+
+void SimulatorNode::expose_frame() {
+  const bool repeated = frame_seq_ > 0 && !world_is_new_ && truth_.utime == simulation_->utime();
+  if (world_is_new_ || repeated || frame_seq_ == 0) {
+    publish_joint_state();
+    publish_stop_state();
+  }
+  world_is_new_ = false;
+  simulation_->expose(++frame_seq_);
+  barrier_.expect(frames_->session(), frame_seq_);
+  truth_ = truth_message(simulation_->world().truth());
+  truth_.utime = truth_.frame_utime = simulation_->utime();
+  truth_.frame_session = frames_->session();
+  truth_.frame_seq = frame_seq_;
+  publish_truth();
+  if (simulation_->dropped()) {
+    frames_->skip();
+    return;
+  }
+  StereoFrame frame = frame_message(robot_.cameras, simulation_->settings(), draw(), raw_ ? 0 : jpeg_quality_);
+  frame.utime = simulation_->utime();
+  frames_->publish(frame);
+}
+
+ImagePair SimulatorNode::draw() {
+  const World& world = simulation_->world();
+  ImagePair images = renderer_->render(world);
+  apply_effects(simulation_->effects(), simulation_->noise_seed_of(0), images.left);
+  apply_effects(simulation_->effects(), simulation_->noise_seed_of(1), images.right);
+  return images;
+}
+
+void SimulatorNode::publish_truth() {
+  truth_.control_session = controls_.session();
+  truth_.control_id = controls_.id();
+  truth_.control_error = control_error_;
+  truth_.valid = valid_ ? 1 : 0;
+  truths_->publish(truth_);
+}
+
+void SimulatorNode::publish_joint_state() {
+  JointState message = joint_state_message(simulation_->world().arm());
+  message.utime = simulation_->utime();
+  joint_states_->publish(message);
+}
+
+void SimulatorNode::publish_stop_state() {
+  StopState message{};
+  message.utime = simulation_->utime();
+  message.device = "arm";
+  message.latched = simulation_->latched() ? 1 : 0;
+  message.request_session = stops_.session();
+  message.request_id = stops_.id();
+  message.reason = stop_reason_;
+  stop_states_->publish(message);
+  stop_state_timer_.restart(message.utime);
+}
+
+}  // namespace markservo::simulator
