@@ -45,13 +45,13 @@ class DisjointSets {
 };
 
 struct LabelledRuns {
-  std::vector<Run> runs;
+  std::vector<PixelRun> runs;
   std::vector<int32_t> labels;  // of each run: its region's first run
 };
 
 LabelledRuns label(const BitMask& mask, Connectivity connectivity) {
   LabelledRuns result;
-  std::vector<Run>& runs = result.runs;
+  std::vector<PixelRun>& runs = result.runs;
   DisjointSets sets;
   const int reach = connectivity == Connectivity::kEight ? 1 : 0;
   std::size_t above_begin = 0;
@@ -87,20 +87,20 @@ std::vector<int64_t> areas_of(const LabelledRuns& labelled) {
   return areas;
 }
 
-bool before(const Run& a, const Run& b) {
+bool before(const PixelRun& a, const PixelRun& b) {
   return a.v != b.v ? a.v < b.v : a.begin < b.begin;
 }
 
 }  // namespace
 
-Shape shape_of(const std::vector<Run>& runs) {
+Shape shape_of(const std::vector<PixelRun>& runs) {
   Shape shape;
   if (runs.empty()) return shape;
   int left = std::numeric_limits<int>::max();
   int right = 0;
   int top = std::numeric_limits<int>::max();
   int bottom = 0;
-  for (const Run& run : runs) {
+  for (const PixelRun& run : runs) {
     left = std::min(left, run.begin);
     right = std::max(right, run.end);
     top = std::min(top, run.v);
@@ -114,7 +114,7 @@ Shape shape_of(const std::vector<Run>& runs) {
   int64_t sum_uu = 0;
   int64_t sum_uv = 0;
   int64_t sum_vv = 0;
-  for (const Run& run : runs) {
+  for (const PixelRun& run : runs) {
     const int64_t begin = run.begin - left;
     const int64_t end = run.end - left;
     const int64_t v = run.v - top;
@@ -175,7 +175,7 @@ Blob merge(const std::vector<Blob>& blobs) {
   return all;
 }
 
-std::vector<Run> fill_holes(const Blob& blob, int64_t max_hole) {
+std::vector<PixelRun> fill_holes(const Blob& blob, int64_t max_hole) {
   // The blob's complement in its box and one pixel around: what is connected to that rim is outside.
   const int left = blob.shape.x - 1;
   const int top = blob.shape.y - 1;
@@ -191,17 +191,17 @@ std::vector<Run> fill_holes(const Blob& blob, int64_t max_hole) {
   }
   const LabelledRuns labelled = label(background, Connectivity::kFour);
   const std::vector<int64_t> areas = areas_of(labelled);
-  std::vector<Run> runs = blob.runs;
+  std::vector<PixelRun> runs = blob.runs;
   for (std::size_t i = 0; i < labelled.runs.size(); ++i) {
     const auto region = static_cast<std::size_t>(labelled.labels[i]);
-    const Run& run = labelled.runs[i];
+    const PixelRun& run = labelled.runs[i];
     // The rim is one region, and the very first: it holds the first run.
     if (region != 0 && areas[region] <= max_hole) runs.push_back({run.v + top, run.begin + left, run.end + left});
   }
   if (runs.size() == blob.runs.size()) return runs;
   std::sort(runs.begin(), runs.end(), before);
-  std::vector<Run> joined;
-  for (const Run& run : runs) {
+  std::vector<PixelRun> joined;
+  for (const PixelRun& run : runs) {
     if (!joined.empty() && joined.back().v == run.v && joined.back().end == run.begin) {
       joined.back().end = run.end;
     } else {

@@ -11,7 +11,7 @@
 namespace markservo::mark_detector {
 
 // Pixels [begin, end) of row v.
-struct Run {
+struct PixelRun {
   int v = 0;
   int begin = 0;
   int end = 0;
@@ -33,7 +33,7 @@ struct Shape {
 
 struct Blob {
   Shape shape;
-  std::vector<Run> runs;  // by rows, then columns
+  std::vector<PixelRun> runs;  // by rows, then columns
 };
 
 enum class Connectivity { kFour, kEight };
@@ -52,13 +52,13 @@ struct BlobList {
 BlobList find_blobs(const BitMask& mask, const BlobParameters& parameters);
 
 // The shape of what the runs cover; they must not overlap. All zero for none.
-Shape shape_of(const std::vector<Run>& runs);
+Shape shape_of(const std::vector<PixelRun>& runs);
 
 // All runs of all blobs as one blob, ordered.
 Blob merge(const std::vector<Blob>& blobs);
 
 // The runs with holes of at most `max_hole` px filled; a hole is background that the blob, connected over corners,
 // encloses.
-std::vector<Run> fill_holes(const Blob& blob, int64_t max_hole);
+std::vector<PixelRun> fill_holes(const Blob& blob, int64_t max_hole);
 
 }  // namespace markservo::mark_detector

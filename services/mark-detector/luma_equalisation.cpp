@@ -44,4 +44,10 @@ LumaShift equalising_shift(const LumaHistogram& histogram) {
   return shift;
 }
 
+LumaShift against_darkness(const LumaShift& shift) {
+  LumaShift brightening = shift;
+  for (int16_t& levels : brightening) levels = std::max<int16_t>(levels, 0);
+  return brightening;
+}
+
 }  // namespace markservo::mark_detector

@@ -30,4 +30,7 @@ LumaShift no_shift();
 // as it is.
 LumaShift equalising_shift(const LumaHistogram& histogram);
 
+// The shift without what darkens: a mark that is the darkest thing of a bright scene would otherwise drown.
+LumaShift against_darkness(const LumaShift& shift);
+
 }  // namespace markservo::mark_detector

@@ -95,7 +95,7 @@ Output MarkDetector::step(const Input& input, State& state) const {
     LumaHistogram histogram{};
     accumulate(input.left, histogram);
     if (!single) accumulate(input.right, histogram);
-    shift = equalising_shift(histogram);
+    shift = against_darkness(equalising_shift(histogram));
   }
   const std::vector<BitMask> left_masks = classify(input.left, shift, rules_);
   const std::vector<BitMask> right_masks =
@@ -161,7 +161,7 @@ View MarkDetector::make_view(const ImageView& image, const robot::MarkDescriptio
   View view;
   const bool plane = mark.surface == robot::MarkSurface::kPlane;
   const auto fraction = static_cast<int64_t>(parameters_.hole_fraction * blob.shape.area);
-  const std::vector<Run> runs =
+  const std::vector<PixelRun> runs =
       fill_holes(blob, plane ? std::max(parameters_.noise_hole, fraction) : parameters_.noise_hole);
   OutlinedMark outlined =
       plane ? outline(image, runs, parameters_.outline) : hard_outline(runs, image.width, image.height);

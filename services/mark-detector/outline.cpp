@@ -72,20 +72,25 @@ class LocalColours {
 };
 
 // Coverage of pixel p, or `classified` where it cannot be told.
-double coverage(const ColourSums& sums, const uint8_t* p, double classified, double contrast_min) {
+double coverage(const ColourSums& sums, const uint8_t* p, double classified, const OutlineParameters& parameters) {
   const auto value = [&sums](std::size_t i) { return static_cast<double>(sums.sum[i]); };
   const double n_mark = value(ColourSums::kMarkCount);
   const double n_rest = value(ColourSums::kRestCount);
   if (n_mark == 0.0 || n_rest == 0.0) return classified;
   double along = 0.0;
   double contrast_2 = 0.0;
+  double distance_2 = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
     const double background = value(ColourSums::kRestB + c) / n_rest;
     const double step = value(ColourSums::kMarkB + c) / n_mark - background;
-    along += (p[c] - background) * step;
+    const double from_background = p[c] - background;
+    along += from_background * step;
     contrast_2 += step * step;
+    distance_2 += from_background * from_background;
   }
-  if (contrast_2 < contrast_min * contrast_min) return classified;
+  if (contrast_2 < parameters.contrast_min * parameters.contrast_min) return classified;
+  const double beside_2 = distance_2 - along * along / contrast_2;
+  if (beside_2 > parameters.beside_max * parameters.beside_max * contrast_2) return classified;
   return std::clamp(along / contrast_2, 0.0, 1.0);
 }
 
@@ -140,7 +145,7 @@ class WeightedShape {
 
 }  // namespace
 
-OutlinedMark outline(const ImageView& image, const std::vector<Run>& runs, const OutlineParameters& parameters) {
+OutlinedMark outline(const ImageView& image, const std::vector<PixelRun>& runs, const OutlineParameters& parameters) {
   OutlinedMark mark;
   const int margin = parameters.band + parameters.reach;  // background enough for the outermost blended pixel
   mark.region = make_region(runs, margin, image.width, image.height);
@@ -155,7 +160,7 @@ OutlinedMark outline(const ImageView& image, const std::vector<Run>& runs, const
       if (depth[k] == Depth::kOutside) continue;
       double alpha = region.inside[k];
       if (depth[k] != Depth::kInside) {
-        alpha = coverage(colours.around(i), image.pixel(region.x + i, region.y + j), alpha, parameters.contrast_min);
+        alpha = coverage(colours.around(i), image.pixel(region.x + i, region.y + j), alpha, parameters);
       }
       region.inside[k] = alpha >= 0.5 ? 1 : 0;
       weighted.add(i, j, alpha);
@@ -166,7 +171,7 @@ OutlinedMark outline(const ImageView& image, const std::vector<Run>& runs, const
   return mark;
 }
 
-OutlinedMark hard_outline(const std::vector<Run>& runs, int image_width, int image_height) {
+OutlinedMark hard_outline(const std::vector<PixelRun>& runs, int image_width, int image_height) {
   return {shape_of(runs), make_region(runs, 1, image_width, image_height)};
 }
 

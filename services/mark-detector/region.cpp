@@ -36,7 +36,7 @@ std::vector<uint8_t> near(const Region& region, int reach, uint8_t wanted) {
 
 }  // namespace
 
-Region make_region(const std::vector<Run>& runs, int margin, int image_width, int image_height) {
+Region make_region(const std::vector<PixelRun>& runs, int margin, int image_width, int image_height) {
   Region region;
   if (runs.empty()) return region;
   const Shape shape = shape_of(runs);
@@ -45,7 +45,7 @@ Region make_region(const std::vector<Run>& runs, int margin, int image_width, in
   region.width = std::min(image_width, shape.x + shape.width + margin) - region.x;
   region.height = std::min(image_height, shape.y + shape.height + margin) - region.y;
   region.inside.assign(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height), 0);
-  for (const Run& run : runs) {
+  for (const PixelRun& run : runs) {
     const auto begin =
         region.inside.begin() + static_cast<std::ptrdiff_t>(region.index(run.begin - region.x, run.v - region.y));
     std::fill_n(begin, run.end - run.begin, uint8_t{1});

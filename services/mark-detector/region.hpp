@@ -29,7 +29,7 @@ struct Region {
 };
 
 // The runs' box widened by `margin` px, as far as the image reaches. Empty for no runs.
-Region make_region(const std::vector<Run>& runs, int margin, int image_width, int image_height);
+Region make_region(const std::vector<PixelRun>& runs, int margin, int image_width, int image_height);
 
 // How far a pixel of the window is from the mark's outline.
 enum class Depth : uint8_t {

@@ -1,0 +1,59 @@
+#include "services/mark-detector/luma_equalisation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+#include "services/mark-detector/picture.hpp"
+
+namespace markservo::mark_detector {
+namespace {
+
+cv::Mat random_image(int width, int height, double mean, double sigma, int seed) {
+  cv::Mat image(height, width, CV_8UC3);
+  cv::RNG random(static_cast<uint64_t>(seed));
+  random.fill(image, cv::RNG::NORMAL, cv::Scalar::all(mean), cv::Scalar::all(sigma));
+  return image;
+}
+
+LumaShift shift_of(const cv::Mat& image) {
+  LumaHistogram histogram{};
+  accumulate(view_of(image), histogram);
+  return equalising_shift(histogram);
+}
+
+TEST(LumaEqualisation, IsOpenCvsToTheLastLevel) {
+  for (int seed = 1; seed <= 6; ++seed) {
+    const cv::Mat image = random_image(97 + seed, 61, 20.0 * seed, 10.0 * seed, seed);
+    cv::Mat ycrcb;
+    cv::cvtColor(image, ycrcb, cv::COLOR_BGR2YCrCb);
+    cv::Mat y;
+    cv::extractChannel(ycrcb, y, 0);
+    cv::Mat equalised;
+    cv::equalizeHist(y, equalised);
+    const LumaShift shift = shift_of(image);
+    for (int v = 0; v < image.rows; ++v) {
+      for (int u = 0; u < image.cols; ++u) {
+        const auto& p = image.at<cv::Vec3b>(v, u);
+        const int own = luma(p[0], p[1], p[2]);
+        ASSERT_EQ(own, y.at<uint8_t>(v, u));
+        ASSERT_EQ(own + shift[static_cast<std::size_t>(own)], equalised.at<uint8_t>(v, u)) << seed;
+      }
+    }
+  }
+}
+
+TEST(LumaEqualisation, LeavesAnImageOfOneLevelAlone) {
+  EXPECT_EQ(shift_of(cv::Mat(5, 7, CV_8UC3, cv::Scalar::all(0))), no_shift());
+  EXPECT_EQ(shift_of(cv::Mat(5, 7, CV_8UC3, cv::Scalar::all(255))), no_shift());
+  EXPECT_EQ(equalising_shift(LumaHistogram{}), no_shift());
+}
+
+TEST(LumaEqualisation, BrightensADarkImage) {
+  const LumaShift shift = shift_of(random_image(64, 64, 12.0, 4.0, 3));
+  EXPECT_GT(12 + shift[12], 90);
+}
+
+}  // namespace
+}  // namespace markservo::mark_detector
