@@ -1,0 +1,184 @@
+#include "tests/unit/task-manager/fake_robot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/robot/arm_kinematics.hpp"
+#include "common/robot/workspace.hpp"
+#include "services/task-manager/approach_plan.hpp"
+
+namespace markservo::task_manager {
+namespace {
+
+constexpr std::int64_t kFrame_us = 33'333;
+constexpr double kJointStep = 0.05;    // rad a frame
+constexpr double kServoStep = 0.004;   // m a frame
+constexpr double kFingerStep = 0.002;  // m a frame
+
+}  // namespace
+
+robot::RobotDescription default_robot() {
+  return robot::load_robot_description(MARKSERVO_SOURCE_DIR "/config/robot.yaml");
+}
+
+FakeRobot::FakeRobot() : FakeRobot(default_robot()) {}
+
+FakeRobot::FakeRobot(const robot::RobotDescription& description)
+    : robot_(description), procedure_(description, Parameters()) {
+  q_ = robot_.arm ? robot_.arm->home : robot::JointVector::Zero();
+  start_ = p_CT;
+}
+
+void FakeRobot::send(CommandKind kind, const std::string& target, bool carry) {
+  command_ = Command{};
+  command_.session = 42;
+  command_.id = next_command_++;
+  command_.kind = kind;
+  command_.target = target;
+  command_.carry = carry;
+  if (kind == CommandKind::kStart && !attached_) start_ = p_CT;
+  send_again();
+}
+
+void FakeRobot::send_again() {
+  commands_.push_back(command_);
+}
+
+Eigen::Vector3d FakeRobot::grip_point() const {
+  return robot::grip_point(*robot_.arm, q_);
+}
+
+bool FakeRobot::in_view(const Eigen::Isometry3d& X_CM, double size) const {
+  return robot::view_margin_px(robot_.cameras, X_CM, size) >= 0.0;
+}
+
+ServoReport FakeRobot::report() {
+  ServoReport report;
+  report.goal_id = follows_goals ? goal_.id : 0;
+  if (stale) {
+    report.state = ServoState::kStale;
+    report.reason = "TARGET_POSE is 1.0 s old";
+  } else if (stop.latched) {
+    report.state = ServoState::kStopped;
+  } else if (goal_.kind == GoalKind::kHold) {
+    report.settled = true;
+  } else if (goal_.kind == GoalKind::kPosture) {
+    report.state = ServoState::kPosture;
+    report.settled = (goal_.q - q_).norm() < 1e-9;
+  } else if (!unreachable.empty()) {
+    report.state = ServoState::kUnreachable;
+    report.reason = unreachable;
+  } else if (target_sight != Sight::kLocated || hand_sight != Sight::kLocated) {
+    report.state = ServoState::kLost;
+  } else {
+    report.settled = error_.norm() <= goal_.tolerance;
+    report.state = report.settled ? ServoState::kConverged : ServoState::kServo;
+  }
+  return report;
+}
+
+void FakeRobot::move_arm() {
+  if (stop.latched || stale || !follows_goals) return;
+  const robot::JointVector before = q_;
+  if (goal_.kind == GoalKind::kPosture) {
+    const robot::JointVector to_go = goal_.q - q_;
+    q_ += to_go * std::min(1.0, kJointStep / std::max(1e-12, to_go.cwiseAbs().maxCoeff()));
+  } else if (goal_.kind == GoalKind::kServo && report().state == ServoState::kServo) {
+    Eigen::Vector3d to_go = p_CT + goal_.p_TG - grip_point();
+    to_go *= std::min(1.0, kServoStep / std::max(1e-12, to_go.norm()));
+    const auto ik = robot::inverse_kinematics(*robot_.arm, grip_point() + to_go, 0.0);
+    if (ik.status == robot::ReachStatus::kReachable) q_ = ik.q;
+  }
+  if (goal_.kind == GoalKind::kServo) error_ = grip_point() - (p_CT + goal_.p_TG);
+  way_ += (q_ - before).norm();
+}
+
+void FakeRobot::move_gripper() {
+  if (goal_.id == 0 || stop.latched) return;
+  const auto& grip = *robot_.find_mark("red_book")->grip;
+  const double width = grip.object_width;
+  const bool around = (grip_point() - (p_CT + grip.p_TG)).norm() < 0.004;
+  double wanted = opening_ + std::clamp(goal_.opening - opening_, -kFingerStep, kFingerStep);
+  if (wanted > width) {
+    attached_ = slipped_ = false;
+  } else if (around && wanted < width && !attached_ && !slipped_) {
+    if (slips > 0) {
+      --slips;
+      slipped_ = true;
+    } else {
+      attached_ = true;
+      p_GT_ = robot::grip_pose(*robot_.arm, q_).inverse() * p_CT;
+    }
+  }
+  if (attached_) wanted = width;
+  opening_ = wanted;
+  if (attached_) p_CT = robot::grip_pose(*robot_.arm, q_) * p_GT_;
+}
+
+void FakeRobot::look_for_trespass() {
+  if (attached_) return;
+  const auto& grip = *robot_.find_mark("red_book")->grip;
+  const Eigen::Vector3d off = grip_point() - (p_CT + grip.p_TG);
+  const double tip = grip_point().y() + robot_.arm->gripper.finger_beyond_grip_point;
+  const bool beside_the_shelf = std::abs(q_[0]) > 0.8;
+  if (tip < p_CT.y() || beside_the_shelf) return;
+  if (std::abs(off.x()) > 0.002 || std::abs(off.z()) > 0.016) {
+    trespass_ = "fingers " + std::to_string(off.x()) + " m beside and " + std::to_string(off.z()) + " m above";
+  }
+}
+
+Output FakeRobot::frame() {
+  utime_ += kFrame_us;
+  if (robot_.arm) {
+    move_arm();
+    move_gripper();
+    look_for_trespass();
+  }
+  Input input;
+  input.utime = utime_;
+  input.servo = report();
+  input.pose_utime = utime_;
+  MarkReport target{"red_book", target_sight, p_CT};
+  Eigen::Isometry3d X_CT = Eigen::Isometry3d::Identity();
+  X_CT.translation() = p_CT;
+  if (target.sight == Sight::kLocated && !in_view(X_CT, 0.025)) target.sight = Sight::kClipped;
+  input.marks.push_back(target);
+  if (robot_.arm) {
+    MarkReport hand{"hand", hand_sight, robot::hand_mark(*robot_.arm, q_)};
+    if (hand.sight == Sight::kLocated && !in_view(robot::hand_mark_pose(*robot_.arm, q_), 0.020)) {
+      hand.sight = Sight::kUnseen;
+    }
+    input.marks.push_back(hand);
+  }
+  if (arm_answers) input.arm = ArmReport{arm_session, q_, opening_};
+  input.stop = stop;
+  input.commands.swap(commands_);
+
+  last_ = procedure_.step(input, state_);
+  if (last_.goal) {
+    goal_ = *last_.goal;
+    ++goals_sent_;
+    // What is to be judged is the new goal, not the old one's end.
+    if (goal_.kind == GoalKind::kServo && robot_.arm) error_ = grip_point() - (p_CT + goal_.p_TG);
+  }
+  if (phases_.empty() || phases_.back() != last_.phase) phases_.push_back(last_.phase);
+  return last_;
+}
+
+bool FakeRobot::run_until(Phase phase, double seconds) {
+  for (const double end = this->seconds() + seconds; this->seconds() < end;) {
+    if (frame().phase == phase) return true;
+  }
+  return false;
+}
+
+void FakeRobot::run_for(double seconds) {
+  for (const double end = this->seconds() + seconds; this->seconds() < end;) frame();
+}
+
+void FakeRobot::restart_task_manager() {
+  state_ = State();
+  phases_.clear();
+}
+
+}  // namespace markservo::task_manager

@@ -1,0 +1,91 @@
+#pragma once
+
+// A kinematic stand-in for arm, cameras and visual-servo that drives the procedure's core: postures are reached after
+// some frames, servoing converges, a gripped book follows the hand.
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "services/task-manager/procedure.hpp"
+
+namespace markservo::task_manager {
+
+// config/robot.yaml.
+robot::RobotDescription default_robot();
+
+class FakeRobot {
+ public:
+  FakeRobot();
+  explicit FakeRobot(const robot::RobotDescription& description);
+
+  // What a test may set at any time.
+  Eigen::Vector3d p_CT{0.0325, 0.25, 0.032};  // m, the red book's mark
+  Sight target_sight = Sight::kLocated;       // unless out of view
+  Sight hand_sight = Sight::kLocated;
+  int slips = 0;              // so many grips do not hold
+  bool follows_goals = true;  // false: visual-servo is silent about our goals
+  bool stale = false;
+  bool arm_answers = true;
+  std::string unreachable;  // servoing cannot go on, and why
+  StopReport stop{true, false, ""};
+  std::int64_t arm_session = 7;
+
+  void send(CommandKind kind, const std::string& target = "", bool carry = false);
+  void send_again();  // the last command, repeated
+
+  // One frame.
+  Output frame();
+  // Frames until `phase`, at most `seconds`; true when it came.
+  bool run_until(Phase phase, double seconds = 60.0);
+  void run_for(double seconds);
+  // task-manager dies and comes back.
+  void restart_task_manager();
+
+  const Output& last() const { return last_; }
+  const Goal& goal() const { return goal_; }
+  const robot::JointVector& q() const { return q_; }
+  double opening() const { return opening_; }
+  bool holds_book() const { return attached_; }
+  double lifted() const { return p_CT.z() - start_.z(); }  // m
+  Eigen::Vector3d grip_point() const;
+  double way_of_joints() const { return way_; }                 // rad, all that the arm ever moved
+  const std::vector<Phase>& phases() const { return phases_; }  // each as it was entered
+  // What an open hand may not do: "" or where a finger was among the books off the line of approach.
+  const std::string& trespass() const { return trespass_; }
+  int goals_sent() const { return goals_sent_; }
+  double seconds() const { return 1e-6 * static_cast<double>(utime_); }
+
+ private:
+  void move_arm();
+  void move_gripper();
+  void look_for_trespass();
+  ServoReport report();
+  bool in_view(const Eigen::Isometry3d& X_CM, double size) const;
+
+  robot::RobotDescription robot_;
+  Procedure procedure_;
+  State state_;
+  Output last_;
+  Goal goal_;
+  std::vector<Command> commands_;
+  Command command_;
+  std::int64_t next_command_ = 1;
+  std::int64_t utime_ = 1'000'000;
+
+  robot::JointVector q_;
+  double opening_ = 0.05;
+  bool attached_ = false;
+  bool slipped_ = false;
+  Eigen::Vector3d p_GT_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d start_ = Eigen::Vector3d::Zero();  // of the book
+  Eigen::Vector3d error_ = Eigen::Vector3d::Zero();
+  double way_ = 0.0;
+  int goals_sent_ = 0;
+  std::vector<Phase> phases_;
+  std::string trespass_;
+};
+
+}  // namespace markservo::task_manager
