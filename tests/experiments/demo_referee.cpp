@@ -114,6 +114,37 @@ struct LiftWatch {
   }
 };
 
+// How far the arm moved while no fresh command could have told it to: nothing but rest is safe there.
+class StaleMotionWatch {
+ public:
+  explicit StaleMotionWatch(bus::Bus& bus) {
+    bus.on_each<JointCommand>("JOINT_COMMAND", [this](const JointCommand& command) {
+      newest_answered_ = std::max(newest_answered_, command.frame_utime);
+    });
+  }
+  void observe(const SimTruth& truth) {
+    const bool same_world = truth.session == session_ && shaft_.size() == truth.shaft.size();
+    // The arm holds after 0.3 s without a command; what it was told before may take a moment to come to rest.
+    const bool stale = truth.utime - newest_answered_ > kStale_us;
+    if (same_world && stale && was_stale_) {
+      for (std::size_t i = 0; i < shaft_.size(); ++i) moved_ = std::max(moved_, std::abs(truth.shaft[i] - shaft_[i]));
+    }
+    if (!same_world || !stale || !was_stale_) shaft_ = truth.shaft;
+    if (!same_world) newest_answered_ = truth.utime;
+    session_ = truth.session;
+    was_stale_ = stale;
+  }
+  double moved() const { return moved_; }
+
+ private:
+  static constexpr int64_t kStale_us = 500'000;
+  int64_t newest_answered_ = 0;
+  int64_t session_ = 0;
+  bool was_stale_ = false;
+  std::vector<double> shaft_;  // rad, where it was when the input became stale
+  double moved_ = 0.0;         // rad
+};
+
 struct ServoResult {
   int frames = 0;
   Eigen::Vector3d error = Eigen::Vector3d::Constant(NAN);  // m, true grip point minus true goal, at the end of SERVO
@@ -153,7 +184,8 @@ class Demo {
         target_(target),
         rig_(options.lcm_url, "", demo.lockstep ? Rig::Pace::kLockstep : Rig::Pace::kRealTime),
         latency_(rig_.bus()),
-        eyes_(rig_.bus(), latency_) {}
+        eyes_(rig_.bus(), latency_),
+        stale_motion_(rig_.bus()) {}
 
   Course run() {
     rig_.wait_for_world();
@@ -179,6 +211,7 @@ class Demo {
         attempt = task.attempt;
       }
       if (task.state == TaskState::SERVO) ++course.servo.frames;
+      stale_motion_.observe(rig_.truth());
       if (task.state >= TaskState::LIFT_ON) course.lift.observe(rig_.truth(), demo_.target);
       const double elapsed = seconds(rig_.truth().utime - begin_);
       if (ended(task, demo_.carry) || elapsed > kPatience) {
@@ -193,6 +226,7 @@ class Demo {
   }
 
   const std::vector<double>& latency_ms() const { return latency_.milliseconds(); }
+  double stale_motion() const { return stale_motion_.moved(); }
 
  private:
   // The book must still hang there a second later.
@@ -228,6 +262,7 @@ class Demo {
   Rig rig_;
   CommandLatency latency_;
   Eyes eyes_;
+  StaleMotionWatch stale_motion_;
   int64_t begin_ = 0;
 };
 
@@ -236,7 +271,7 @@ nlohmann::json number_or_null(double value) {
 }
 
 void write_report(const ExperimentOptions& options, const Course& course, bool truly_lifted,
-                  const std::vector<double>& latency_ms) {
+                  const std::vector<double>& latency_ms, double stale_motion) {
   const auto& error = course.servo.error;
   const nlohmann::json report{
       {"seed", options.seed},
@@ -249,6 +284,7 @@ void write_report(const ExperimentOptions& options, const Course& course, bool t
       {"servo",
        {{"frames", course.servo.frames},
         {"final_error_m", {number_or_null(error.x()), number_or_null(error.y()), number_or_null(error.z())}}}},
+      {"safety", {{"moved_on_stale_input_rad", stale_motion}}},
       {"latency_ms",
        {{"frame_to_command_p50", number_or_null(percentile(latency_ms, 0.50))},
         {"frame_to_command_p99", number_or_null(percentile(latency_ms, 0.99))}}}};
@@ -276,7 +312,7 @@ bool run_demo(const ExperimentOptions& options, const DemoOptions& demo) {
   Demo run(options, demo, *target);
   const Course course = run.run();
   const bool truly_lifted = course.lift.longest >= kLiftedTime;
-  write_report(options, course, truly_lifted, run.latency_ms());
+  write_report(options, course, truly_lifted, run.latency_ms(), run.stale_motion());
   print_table(course, truly_lifted, run.latency_ms());
   return truly_lifted && course.last.result == TaskState::RESULT_LIFTED;
 }

@@ -130,7 +130,9 @@ void Rig::command(TaskCommand message) {
   const auto echoed = [&] {
     return task_.command_session == message.session && task_.command_id == message.command_id;
   };
+  const auto begin = std::chrono::steady_clock::now();
   while (!echoed()) {
+    if (std::chrono::steady_clock::now() - begin > kPatience) throw RigFailure("no task-manager answers TASK_COMMAND");
     if (pace_ == Pace::kLockstep) wait("TASK_STATE", [this] { return task_answered(); });
     commands_.publish(message);
     step();
