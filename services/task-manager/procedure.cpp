@@ -9,17 +9,6 @@
 
 namespace markservo::task_manager {
 
-const char* name_of(Phase phase) {
-  static constexpr const char* kNames[] = {"IDLE",   "LOOK",    "APPROACH", "SERVO",   "GRIP",    "LIFT",
-                                           "VERIFY", "LIFT_ON", "CARRY",    "RELEASE", "GO_HOME", "HOLD_LIFTED",
-                                           "DONE",   "REFUSED", "FAILED",   "STOPPED"};
-  return kNames[static_cast<std::size_t>(phase)];
-}
-
-bool busy(Phase phase) {
-  return phase >= Phase::kLook && phase <= Phase::kGoHome;
-}
-
 Procedure::Procedure(robot::RobotDescription robot, Parameters parameters)
     : robot_(std::move(robot)), parameters_(parameters) {}
 
@@ -83,11 +72,10 @@ void ProcedureStep::watch_the_servo() {
     return now && seconds_between(*since, in_.utime) > p_.motion.stale_timeout;
   };
   const bool moving = busy(s_.phase) && s_.phase != Phase::kLook;
-  const bool answers = in_.servo.goal_id == s_.goal.id;
   if (lasts(moving && in_.servo.state == ServoState::kStale, s_.stale_since)) {
     fail("the arm holds for want of fresh input: " + in_.servo.reason);
   }
-  if (lasts(moving && answers && in_.servo.state == ServoState::kStopped, s_.stopped_since)) {
+  if (lasts(moving && in_.servo.state == ServoState::kStopped, s_.stopped_since)) {
     stop("visual-servo is stopped: " + in_.servo.reason);
   }
 }

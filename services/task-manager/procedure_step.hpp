@@ -70,7 +70,4 @@ class ProcedureStep {
   Output& out_;
 };
 
-// "the mark of red_book is seen by neither camera".
-std::string describe_sight(const MarkReport& mark);
-
 }  // namespace markservo::task_manager

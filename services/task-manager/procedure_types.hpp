@@ -72,6 +72,9 @@ struct MarkReport {
   Eigen::Vector3d p_C = Eigen::Vector3d::Zero();  // m, valid when located
 };
 
+// "the mark of red_book is seen by neither camera".
+std::string describe_sight(const MarkReport& mark);
+
 struct ArmReport {
   std::int64_t session = 0;
   robot::JointVector q = robot::JointVector::Zero();

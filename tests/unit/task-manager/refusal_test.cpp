@@ -20,14 +20,14 @@ TEST(Refusal, ATargetOutOfReachIsUnreachable) {
   FakeRobot robot;
   robot.p_CT.y() = 0.40;
   robot.send(CommandKind::kStart, "red_book");
-  expect_refused(robot, "unreachable: ");
+  expect_refused(robot, "unreachable: beyond the arm's reach");
 }
 
-TEST(Refusal, AHandThatWouldLeaveTheImagesIsOutOfView) {
+TEST(Refusal, AMarkNextToAnImageBorderIsOutOfView) {
   FakeRobot robot;
-  robot.p_CT << -0.03, 0.20, 0.032;
+  robot.p_CT << 0.0875, 0.25, 0.032;  // located, but within 8 px of the left image's border
   robot.send(CommandKind::kStart, "red_book");
-  expect_refused(robot, "out_of_view: ");
+  expect_refused(robot, "out_of_view: the mark of red_book is not wholly inside both images");
 }
 
 TEST(Refusal, AnUnseenTargetIsOutOfViewAndSaysWhatEachCameraSees) {

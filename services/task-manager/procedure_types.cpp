@@ -1,0 +1,37 @@
+#include "services/task-manager/procedure_types.hpp"
+
+namespace markservo::task_manager {
+
+const char* name_of(Phase phase) {
+  static constexpr const char* kNames[] = {"IDLE",   "LOOK",    "APPROACH", "SERVO",   "GRIP",    "LIFT",
+                                           "VERIFY", "LIFT_ON", "CARRY",    "RELEASE", "GO_HOME", "HOLD_LIFTED",
+                                           "DONE",   "REFUSED", "FAILED",   "STOPPED"};
+  return kNames[static_cast<std::size_t>(phase)];
+}
+
+bool busy(Phase phase) {
+  return phase >= Phase::kLook && phase <= Phase::kGoHome;
+}
+
+std::string describe_sight(const MarkReport& mark) {
+  const std::string subject = "the mark of " + mark.name + " ";
+  switch (mark.sight) {
+    case Sight::kLocated:
+      return subject + "is located";
+    case Sight::kUnseen:
+      return subject + "is seen by neither camera";
+    case Sight::kSeenByOne:
+      return subject + "is seen by one camera only";
+    case Sight::kClipped:
+      return subject + "is cut by an image border";
+    case Sight::kTooFewMatches:
+      return subject + "is seen, but too few of its points match";
+    case Sight::kInconsistent:
+      return subject + "is seen, but its two views do not fit together";
+    case Sight::kUntold:
+      return subject + "is not reported by target-locator";
+  }
+  return subject;
+}
+
+}  // namespace markservo::task_manager

@@ -1,0 +1,192 @@
+// The node on an in-process bus: one TASK_STATE per SERVO_STATUS, goals, bad input.
+
+#include "services/task-manager/task_manager_node.hpp"
+
+#include <gtest/gtest.h>
+
+#include <markservo/ServiceStatus.hpp>
+#include <vector>
+
+#include "common/robot/configuration_error.hpp"
+
+namespace markservo::task_manager {
+namespace {
+
+constexpr int64_t kFrame_us = 33'333;
+
+class TaskManagerOnABus : public ::testing::Test {
+ protected:
+  TaskManagerOnABus() {
+    node_.add_options(app_);
+    node_.configure(MARKSERVO_SOURCE_DIR "/config/robot.yaml");
+    node_.start(bus_);
+    bus_.on_each<TaskState>("TASK_STATE", [this](const TaskState& state) { states_.push_back(state); });
+    bus_.on_each<ServoGoal>("SERVO_GOAL", [this](const ServoGoal& goal) { goals_.push_back(goal); });
+  }
+
+  static bus::BusParameters in_process() {
+    bus::BusParameters parameters;
+    parameters.urls = {"memq://", "memq://"};
+    parameters.service_name = "task-manager";
+    parameters.heartbeat = false;
+    return parameters;
+  }
+
+  void settle() {
+    for (int i = 0; i < 6; ++i) bus_.poll(std::chrono::milliseconds(0));
+  }
+
+  void tell_stop(bool latched) {
+    StopState stop{};
+    stop.utime = utime_;
+    stop.device = "arm";
+    stop.latched = latched ? 1 : 0;
+    stop.reason = "test";
+    stops_.publish(stop);
+  }
+
+  void tell_joints(int num_joints = 3) {
+    JointState joints{};
+    joints.utime = utime_;
+    joints.num_joints = num_joints;
+    joints.position = {0.0, 2.0944, -2.6180};
+    joints.position.resize(static_cast<std::size_t>(num_joints));
+    joints.speed.assign(static_cast<std::size_t>(num_joints), 0.0);
+    joints.gripper_opening = 0.05;
+    joints_.publish(joints);
+  }
+
+  void start(const std::string& target, int64_t id = 1) {
+    TaskCommand command{};
+    command.utime = utime_;
+    command.session = 99;
+    command.command_id = id;
+    command.kind = TaskCommand::START;
+    command.target = target;
+    commands_.publish(command);
+  }
+
+  // The target located at `y`, and visual-servo's word on this frame.
+  void frame(double y = 0.25, int8_t servo_state = ServoStatus::HOLD) {
+    utime_ += kFrame_us;
+    ++frame_seq_;
+    TargetPose pose{};
+    pose.utime = pose.frame_utime = utime_;
+    LocatedMark mark{};
+    mark.name = "red_book";
+    mark.p_C.x = 0.0325;
+    mark.p_C.y = y;
+    mark.p_C.z = 0.032;
+    pose.num_marks = 1;
+    pose.marks.push_back(mark);
+    poses_.publish(pose);
+    ServoStatus status{};
+    status.utime = status.frame_utime = utime_;
+    status.frame_session = 5;
+    status.frame_seq = frame_seq_;
+    status.state = servo_state;
+    statuses_.publish(status);
+    settle();
+  }
+
+  TaskManagerNode node_;
+  CLI::App app_;
+  bus::Bus bus_{in_process()};
+  bus::Publisher<TaskCommand> commands_ = bus_.advertise<TaskCommand>("TASK_COMMAND");
+  bus::Publisher<StopState> stops_ = bus_.advertise<StopState>("STOP_STATE");
+  bus::Publisher<JointState> joints_ = bus_.advertise<JointState>("JOINT_STATE");
+  bus::Publisher<TargetPose> poses_ = bus_.advertise<TargetPose>("TARGET_POSE");
+  bus::Publisher<ServoStatus> statuses_ = bus_.advertise<ServoStatus>("SERVO_STATUS");
+  std::vector<TaskState> states_;
+  std::vector<ServoGoal> goals_;
+  int64_t utime_ = 1'000'000'000;
+  int64_t frame_seq_ = 0;
+};
+
+TEST_F(TaskManagerOnABus, AnswersEachServoStatusWithOneTaskStateOfTheSameFrame) {
+  for (int i = 0; i < 10; ++i) frame();
+  ASSERT_EQ(states_.size(), 10u);
+  EXPECT_EQ(states_.back().frame_session, 5);
+  EXPECT_EQ(states_.back().frame_seq, frame_seq_);
+  EXPECT_EQ(states_.back().frame_utime, utime_);
+  EXPECT_EQ(states_.back().utime, utime_);
+  EXPECT_EQ(states_.back().state, TaskState::IDLE);
+  EXPECT_EQ(states_.back().reason, "started: no task");
+}
+
+TEST_F(TaskManagerOnABus, SendsNoGoalBeforeItKnowsTheArmAndHoldsThen) {
+  frame();
+  EXPECT_TRUE(goals_.empty());
+  tell_joints();
+  frame();
+  ASSERT_EQ(goals_.size(), 1u);
+  EXPECT_EQ(goals_[0].kind, ServoGoal::HOLD);
+  EXPECT_EQ(goals_[0].session, bus_.session());
+  EXPECT_EQ(goals_[0].utime, utime_);
+}
+
+TEST_F(TaskManagerOnABus, AStartMovesTheHandTowardsTheTarget) {
+  tell_joints();
+  tell_stop(false);
+  start("red_book");
+  for (int i = 0; i < 12; ++i) frame();
+  EXPECT_EQ(states_.back().state, TaskState::APPROACH);
+  EXPECT_EQ(states_.back().command_session, 99);
+  EXPECT_EQ(states_.back().command_id, 1);
+  EXPECT_EQ(states_.back().target, "red_book");
+  EXPECT_GT(goals_.back().goal_id, 1);
+}
+
+TEST_F(TaskManagerOnABus, ALatchedDeviceRefuses) {
+  tell_joints();
+  tell_stop(true);
+  start("red_book");
+  frame();
+  EXPECT_EQ(states_.back().state, TaskState::REFUSED);
+  EXPECT_EQ(states_.back().result, TaskState::RESULT_REFUSED);
+  EXPECT_EQ(states_.back().reason, "stop is latched: reset it first (arm: test)");
+}
+
+TEST_F(TaskManagerOnABus, PassesOnWhereTheCallerBelievesTheTarget) {
+  tell_joints();
+  tell_stop(false);
+  TaskCommand command{};
+  command.utime = utime_;
+  command.session = 99;
+  command.command_id = 1;
+  command.target = "blue_book";  // in no TARGET_POSE
+  command.expected_known = 1;
+  command.p_CT_expected.y = 0.6;
+  commands_.publish(command);
+  for (int i = 0; i < 40; ++i) frame();
+  EXPECT_EQ(states_.back().state, TaskState::REFUSED);
+  EXPECT_EQ(states_.back().reason, "unreachable: beyond the arm's reach");
+}
+
+TEST_F(TaskManagerOnABus, IgnoresWhatCannotBe) {
+  tell_joints();
+  tell_joints(2);                        // another arm's
+  frame(0.25, static_cast<int8_t>(77));  // no such state
+  EXPECT_TRUE(states_.empty());
+  frame();
+  EXPECT_EQ(states_.size(), 1u);
+  int64_t refused = 0;
+  for (const auto& channel : bus_.status().channels) refused += channel.refused;
+  EXPECT_EQ(refused, 2);
+}
+
+TEST(TaskManagerOptions, RangeOfThePlaceMustNotBeEmpty) {
+  TaskManagerNode node;
+  CLI::App app;
+  node.add_options(app);
+  app.parse("--place-radius-min 0.3 --place-radius-max 0.2");
+  try {
+    node.configure(MARKSERVO_SOURCE_DIR "/config/robot.yaml");
+    FAIL() << "accepted";
+  } catch (const ConfigurationError& error) {
+    EXPECT_NE(std::string(error.what()).find("place-radius-max is 0.2"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace markservo::task_manager
