@@ -107,8 +107,8 @@ OpenedSource open_files(const SourceOptions& options) {
     }
     source = std::make_unique<FileSource>(std::move(both), options.loop);
   } else if (is_picture_name(options.left) && is_picture_name(options.right)) {
-    PairedPictures pairs =
-        pair_by_number(expand_pattern(options.left, "--left"), expand_pattern(options.right, "--right"));
+    const auto left = expand_pattern(options.left, "--left");
+    PairedPictures pairs = pair_by_number(left, expand_pattern(options.right, "--right"));
     opened.note = pairs.note;
     source = std::make_unique<FileSource>(std::make_unique<PictureStream>(std::move(pairs.left)),
                                           std::make_unique<PictureStream>(std::move(pairs.right)), options.loop);

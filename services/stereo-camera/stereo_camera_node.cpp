@@ -207,9 +207,9 @@ void StereoCameraNode::run_cameras(bus::Bus& bus) {
     if (news.dropped > 0) drop(news.reason, news.dropped);
     if (news.skipped > 0) drop("a newer pair came before it was published", news.skipped);
     losses_ += news.losses;
+    if (news.waiting && !news.reason.empty()) last_reason_ = news.reason;
     if (news.waiting != waiting_) {
       waiting_ = news.waiting;
-      last_reason_ = news.reason;
       if (waiting_) {
         spdlog::warn("{}; trying again once a second", news.reason);
       } else {

@@ -136,7 +136,7 @@ cv::Mat RealCameras::K1_, RealCameras::D1_, RealCameras::K2_, RealCameras::D2_, 
     RealCameras::Q_;
 
 TEST_F(RealCameras, RectifiedShowEveryCornerOnTheSameRow) {
-  const CommandResult result = run({"--calibration", write_calibration(), "--accept-rms"});
+  const CommandResult result = run({"--calibration", write_calibration()});
   ASSERT_EQ(result.exit_code, 0) << result.output;
   const auto frames = read_frames(log());
   ASSERT_EQ(frames.size(), static_cast<std::size_t>(kPairs));
@@ -160,7 +160,7 @@ TEST_F(RealCameras, RectifiedShowEveryCornerOnTheSameRow) {
 }
 
 TEST_F(RealCameras, PublishTheRectifiedCamerasInMetres) {
-  ASSERT_EQ(run({"--calibration", write_calibration(), "--accept-rms", "--once"}).exit_code, 0);
+  ASSERT_EQ(run({"--calibration", write_calibration(), "--once"}).exit_code, 0);
   const auto frames = read_frames(log());
   ASSERT_EQ(frames.size(), 1U);
   const auto& published = frames[0].calibration;
@@ -176,7 +176,7 @@ TEST_F(RealCameras, PublishTheRectifiedCamerasInMetres) {
 
 TEST_F(RealCameras, MayBeCalibratedInSquaresOfTheBoard) {
   const std::string path = write_calibration(kSquare_m);
-  ASSERT_EQ(run({"--calibration", path, "--accept-rms", "--once", "--metres-per-unit", "0.025"}).exit_code, 0);
+  ASSERT_EQ(run({"--calibration", path, "--once", "--metres-per-unit", "0.025"}).exit_code, 0);
   const auto frames = read_frames(log());
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_NEAR(frames[0].calibration.baseline, cv::norm(T_), 1e-6);
