@@ -81,10 +81,8 @@ std::optional<ImageCentre> image_centre(const View& view, const Mask& mask, cons
                                         const geometry::StereoCamera& camera, CameraSide side, double size,
                                         const LocatorParameters& parameters) {
   const Patch& patch = view.patch;
-  std::optional<ImageCentre> centre = centre_of_mask(mask, patch.frame, plane, camera, side);
-  if (!centre) return std::nullopt;
-  const double size_px =
-      size > 0.0 ? size * (plane.at(plane.u0, plane.v0) - (camera.cx_left - camera.cx_right)) / camera.baseline : 0.0;
+  const double disparity = plane.at(plane.u0, plane.v0) - (camera.cx_left - camera.cx_right);
+  const double extent = size > 0.0 ? size * disparity / camera.baseline : 0.5 * (view.width + view.height);  // px
   double missing = 0.0;  // of the square's edge, relative
   std::optional<SquareOutline> outline;
   const Contrast contrast = mark_contrast(patch, mask);
@@ -93,10 +91,10 @@ std::optional<ImageCentre> image_centre(const View& view, const Mask& mask, cons
     for (float& value : plane_image.data) value += contrast.offset;
     outline = fit_square(plane_image, mask, patch.frame, parameters.outline);
   }
+  std::optional<ImageCentre> centre;
   if (outline) {
-    centre->position = outline->centre;
     // Both views see the same print at the outline, so that their errors are alike and do not average out.
-    centre->covariance = 2.0 * outline->covariance;
+    centre = ImageCentre{outline->centre, 2.0 * outline->covariance};
     SquareOutline in_left = *outline;
     if (side == CameraSide::kRight) {
       for (auto& corner : in_left.corners) corner.x() += plane.at(corner.x(), corner.y()) / (1.0 - plane.along_u);
@@ -105,18 +103,38 @@ std::optional<ImageCentre> image_centre(const View& view, const Mask& mask, cons
     if (!lengths) return std::nullopt;
     const double expected = size > 0.0 ? size : lengths->mean();
     missing = (*lengths / expected - Eigen::Vector4d::Ones()).cwiseAbs().maxCoeff();
-  } else if (size > 0.0) {
-    const auto area = area_on_plane(mask, patch.frame, plane, camera, side);
-    missing = area ? std::abs(1.0 - std::sqrt(*area) / size) : 1.0;
+    if (missing <= parameters.size_tolerance) return centre;
   } else {
-    missing = 0.1;
+    centre = centre_of_mask(mask, patch.frame, plane, camera, side);
+    if (!centre) return std::nullopt;
+    const auto area = area_on_plane(mask, patch.frame, plane, camera, side);
+    constexpr double kUnknownSize = 0.1;
+    missing = size > 0.0 && area ? std::abs(1.0 - std::sqrt(*area) / size) : kUnknownSize;
   }
-  if (missing > parameters.size_tolerance || !outline) {
-    // A hidden strip shifts the centre by half its width.
-    const double extent = size_px > 0.0 ? size_px : 0.5 * (view.width + view.height);
-    centre->covariance += Eigen::Matrix2d::Identity() * std::pow(0.5 * missing * extent, 2);
-  }
+  // A hidden strip shifts the centre by half its width.
+  centre->covariance += Eigen::Matrix2d::Identity() * std::pow(0.5 * missing * extent, 2);
   return centre;
+}
+
+// Where the direct alignment begins. The masks tell the plane to a pixel or so unless one of them is partly hidden;
+// then the boxes and a wide search do.
+PlaneSeed find_seed(const MarkObservation& observation, const Views& views, const Mask& inside,
+                    const LocatorParameters& parameters) {
+  constexpr double kNear = 2.0;   // px either way
+  constexpr double kAlike = 0.8;  // correlation that needs no further search
+  const StereoPatch& patch = views.patch;
+  PlaneSeed best;
+  const auto of_masks = plane_of_masks(views.left_mask, patch.left_frame, views.right_mask, patch.right_frame);
+  if (of_masks) best = seed_plane(patch, inside, *of_masks, kNear, parameters.alignment);
+  if (best.correlation >= kAlike) return best;
+  const double reach = 0.25 * std::max(observation.left.width, observation.right.width);
+  const auto consider = [&](const DisparityPlane& guess) {
+    const PlaneSeed seed = seed_plane(patch, inside, guess, reach, parameters.alignment);
+    if (seed.correlation > best.correlation) best = seed;
+  };
+  if (of_masks) consider(*of_masks);
+  consider(plane_of_boxes(observation.left, observation.right));
+  return best;
 }
 
 Location locate_plane(const MarkObservation& observation, const geometry::StereoCamera& camera,
@@ -124,15 +142,7 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
   Location location;
   StereoPatch& patch = views.patch;
   const Mask inside = erode(views.left_mask, kMaskMargin);
-  const double reach = 0.25 * std::max(observation.left.width, observation.right.width);
-  PlaneSeed seed =
-      seed_plane(patch, inside, plane_of_boxes(observation.left, observation.right), reach, parameters.alignment);
-  // The masks know the slopes as well, unless one of them is partly hidden.
-  const auto of_masks = plane_of_masks(views.left_mask, patch.left_frame, views.right_mask, patch.right_frame);
-  if (of_masks) {
-    const PlaneSeed sloped = seed_plane(patch, inside, *of_masks, reach, parameters.alignment);
-    if (sloped.correlation > seed.correlation) seed = sloped;
-  }
+  const PlaneSeed seed = find_seed(observation, views, inside, parameters);
   location.status = Status::kTooFewMatches;
   auto alignment = align_plane(patch, inside, seed.plane, parameters.alignment);
   constexpr double kWorthResampling = 0.2;  // px of row offset beyond which its linear model is poor

@@ -21,7 +21,7 @@ struct LocatorParameters {
   Method method = Method::kRefined;
   FeatureParameters features;
   AlignmentParameters alignment;
-  RefinementParameters verification;  // of a plane's features
+  RefinementParameters verification = {5, false, 3, 0.02, 1.0, 0.6};  // of a plane's features, from where it says
   OutlineParameters outline;
   PaperParameters paper;
   SearchParameters search;  // free surfaces; its disparities are replaced by the boxes' where min >= max

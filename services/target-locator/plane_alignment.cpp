@@ -15,7 +15,6 @@ namespace {
 constexpr int kNumParameters = 6;
 using Vector6 = Eigen::Matrix<double, kNumParameters, 1>;
 using Matrix6 = Eigen::Matrix<double, kNumParameters, kNumParameters>;
-using Row6 = Eigen::Matrix<float, kNumParameters, 1>;
 
 // The masked left pixels, in reading order.
 struct Template {
@@ -115,33 +114,37 @@ struct NormalMatrices {
   double count = 0.0;
 };
 
-// Left factor Sobel's gradient (little noise), right factor the plain difference (the texture's true slope).
+// Left factor Sobel's gradient (little noise), right factor the plain difference (the texture's true slope). They
+// differ in the three rows of the plane only.
 NormalMatrices normal_matrices(const Template& t) {
-  Eigen::Matrix<float, kNumParameters, kNumParameters> newton = Eigen::Matrix<float, 6, 6>::Zero();
-  Eigen::Matrix<float, kNumParameters, kNumParameters> information = newton;
   NormalMatrices sums;
+  Eigen::Matrix<float, 6, 6> information = Eigen::Matrix<float, 6, 6>::Zero();
+  Eigen::Matrix<float, 6, 3> cross = Eigen::Matrix<float, 6, 3>::Zero();
   std::size_t in_block = 0;
   const auto flush = [&] {
-    sums.newton += newton.cast<double>();
     sums.information += information.cast<double>();
-    newton.setZero();
+    sums.newton.leftCols<3>() += cross.cast<double>();
     information.setZero();
+    cross.setZero();
     in_block = 0;
   };
   for (std::size_t i = 0; i < t.size(); ++i) {
     if (t.used[i] == 0) continue;
-    Row6 left;
-    Row6 right;
     const float gu = t.gradient_u[i];
     const float su = t.slope_u[i];
-    left << -gu, -gu * t.along_u[i], -gu * t.along_v[i], -t.grey[i], -1.0F, -t.gradient_v[i];
-    right << -su, -su * t.along_u[i], -su * t.along_v[i], -t.grey[i], -1.0F, -t.gradient_v[i];
-    newton.noalias() += left * right.transpose();
-    information.noalias() += left * left.transpose();
+    const float left[6] = {-gu, -gu * t.along_u[i], -gu * t.along_v[i], -t.grey[i], -1.0F, -t.gradient_v[i]};
+    const float right[3] = {-su, -su * t.along_u[i], -su * t.along_v[i]};
+    for (int column = 0; column < 6; ++column) {
+      for (int row = 0; row < 6; ++row) information(row, column) += left[row] * left[column];
+    }
+    for (int column = 0; column < 3; ++column) {
+      for (int row = 0; row < 6; ++row) cross(row, column) += left[row] * right[column];
+    }
     sums.count += 1.0;
     if (++in_block == 256) flush();
   }
   flush();
+  sums.newton.rightCols<3>() = sums.information.rightCols<3>();
   return sums;
 }
 
@@ -277,6 +280,80 @@ Vector6 parameters_of(const DisparityPlane& plane, const Template& t) {
   return p;
 }
 
+DisparityPlane plane_of(const Vector6& p, const Template& t) {
+  return {t.u0, t.v0, p[0], p[1] / t.extent, p[2] / t.extent};
+}
+
+// Gauss-Newton over one set of pixels.
+class Fit {
+ public:
+  Fit(const StereoPatch& patch, const Mask& mask) : patch_(patch), pixels_(make_template(patch, mask)) { factorise(); }
+
+  const Template& pixels() const { return pixels_; }
+  const Vector6& parameters() const { return p_; }
+  bool solvable() const { return solvable_; }
+
+  // From `start` until a step moves the disparities by less than `settled`. False when it diverges.
+  bool iterate(const Vector6& start, int iterations, double settled, double max_change) {
+    p_ = start;
+    for (int k = 0; k < iterations; ++k) {
+      evaluate();
+      const Vector6 change = -solver_.solve(sums_.right_side);
+      if (!change.allFinite()) return false;
+      p_ += change;
+      if (!((p_ - start).head<3>().cwiseAbs().sum() < 3.0 * max_change)) return false;
+      if (change.head<3>().cwiseAbs().sum() < settled) break;
+    }
+    evaluate();
+    return true;
+  }
+
+  // Leaves out the pixels with large residuals; returns the share that stays.
+  double drop_outliers(double sigmas) {
+    const double limit = std::max(2.0, sigmas * robust_sigma(residual_));
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      pixels_.used[i] = std::abs(static_cast<double>(residual_[i])) <= limit ? 1 : 0;
+      kept += pixels_.used[i];
+    }
+    const double share = static_cast<double>(kept) / static_cast<double>(pixels_.size());
+    if (kept < pixels_.size()) factorise();
+    return share;
+  }
+
+  double correlation() const { return correlation_of(pixels_, warped_); }
+
+  std::optional<Matrix6> covariance(double noise_correlation) {
+    evaluate();
+    const double variance = noise_correlation * sums_.sum_of_squares / std::max(1.0, normal_.count - kNumParameters);
+    const Matrix6 inverse = solver_.inverse();
+    const Matrix6 covariance = variance * inverse * normal_.information * inverse.transpose();
+    if (!covariance.allFinite()) return std::nullopt;
+    return covariance;
+  }
+
+ private:
+  void factorise() {
+    normal_ = normal_matrices(pixels_);
+    solvable_ = normal_.count >= 3.0 * kNumParameters;
+    solver_.compute(normal_.newton);
+  }
+  void evaluate() {
+    warp(patch_, pixels_, patch_.right_rows, p_, warped_);
+    sums_ = residuals(pixels_, warped_, p_, residual_);
+  }
+
+  const StereoPatch& patch_;
+  Template pixels_;
+  NormalMatrices normal_;
+  Eigen::PartialPivLU<Matrix6> solver_;
+  bool solvable_ = false;
+  Vector6 p_ = Vector6::Zero();
+  std::vector<float> warped_;
+  std::vector<float> residual_;
+  Residuals sums_;
+};
+
 }  // namespace
 
 std::optional<DisparityPlane> plane_of_masks(const Mask& left, const PatchFrame& left_frame, const Mask& right,
@@ -329,61 +406,36 @@ PlaneSeed seed_plane(const StereoPatch& patch, const Mask& mask, const Disparity
 
 std::optional<PlaneAlignment> align_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& seed,
                                           const AlignmentParameters& parameters) {
-  Template t = make_template(patch, thin_out(mask, parameters.max_pixels));
-  if (t.size() < 3 * kNumParameters || patch.right_rows.width < 4) return std::nullopt;
-  const Vector6 start = parameters_of(seed, t);
-  Vector6 p = start;
-  std::vector<float> warped;
-  std::vector<float> residual;
-  Residuals sums;
-  NormalMatrices normal;
-  Eigen::PartialPivLU<Matrix6> solver;
-  const auto iterate = [&](int iterations) {
-    normal = normal_matrices(t);
-    if (normal.count < 3.0 * kNumParameters) return false;
-    solver.compute(normal.newton);
-    for (int k = 0; k < iterations; ++k) {
-      warp(patch, t, patch.right_rows, p, warped);
-      sums = residuals(t, warped, p, residual);
-      const Vector6 change = -solver.solve(sums.right_side);
-      if (!change.allFinite()) return false;
-      p += change;
-      const double moved = std::abs(p[0] - start[0]) + std::abs(p[1] - start[1]) + std::abs(p[2] - start[2]);
-      if (!(moved < 3.0 * parameters.max_seed_error_px)) return false;
-      if (std::abs(change[0]) + std::abs(change[1]) + std::abs(change[2]) < parameters.settled_px) break;
-    }
-    warp(patch, t, patch.right_rows, p, warped);
-    sums = residuals(t, warped, p, residual);
-    return true;
-  };
-  if (!iterate(parameters.max_iterations)) return std::nullopt;
-  const double limit = std::max(2.0, parameters.outlier_sigmas * robust_sigma(residual));
-  std::size_t inliers = 0;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    t.used[i] = std::abs(static_cast<double>(residual[i])) <= limit ? 1 : 0;
-    inliers += t.used[i];
+  if (patch.right_rows.width < 4) return std::nullopt;
+  Fit rough(patch, thin_out(mask, parameters.max_rough_pixels));
+  if (!rough.solvable()) return std::nullopt;
+  const Vector6 start = parameters_of(seed, rough.pixels());
+  if (!rough.iterate(start, parameters.max_iterations, parameters.rough_px, parameters.max_seed_error_px)) {
+    return std::nullopt;
   }
-  const double share = static_cast<double>(inliers) / static_cast<double>(t.size());
-  if (share < 0.995 && !iterate(parameters.max_iterations)) return std::nullopt;
-  if (std::abs(p[0] - start[0]) > parameters.max_seed_error_px) return std::nullopt;
-
-  const double variance =
-      parameters.noise_correlation * sums.sum_of_squares / std::max(1.0, normal.count - kNumParameters);
-  const Matrix6 inverse = solver.inverse();
-  const Matrix6 covariance = variance * inverse * normal.information * inverse.transpose();
-  if (!covariance.allFinite()) return std::nullopt;
+  Fit fit(patch, thin_out(mask, parameters.max_pixels));
+  const DisparityPlane close = plane_of(rough.parameters(), rough.pixels());
+  const auto iterate = [&](const Vector6& from) {
+    return fit.iterate(from, parameters.max_final_iterations, parameters.settled_px, parameters.max_seed_error_px);
+  };
+  if (!fit.solvable() || !iterate(parameters_of(close, fit.pixels()))) return std::nullopt;
+  const double share = fit.drop_outliers(parameters.outlier_sigmas);
+  constexpr double kHardlyAny = 0.995;  // noise alone exceeds 3.5 sigmas now and then
+  if (share < kHardlyAny && (!fit.solvable() || !iterate(fit.parameters()))) return std::nullopt;
+  const auto covariance = fit.covariance(parameters.noise_correlation);
+  if (!covariance) return std::nullopt;
 
   PlaneAlignment result;
-  result.plane.u0 = t.u0;
-  result.plane.v0 = t.v0;
-  result.plane.at_centre = p[0];
-  result.plane.along_u = p[1] / t.extent;
-  result.plane.along_v = p[2] / t.extent;
-  const Eigen::DiagonalMatrix<double, 3> unit(1.0, 1.0 / t.extent, 1.0 / t.extent);
-  result.covariance = unit * covariance.topLeftCorner<3, 3>() * unit;
+  result.plane = plane_of(fit.parameters(), fit.pixels());
+  if (std::abs(result.plane.at_centre - seed.at(result.plane.u0, result.plane.v0)) > parameters.max_seed_error_px) {
+    return std::nullopt;
+  }
+  const double extent = fit.pixels().extent;
+  const Eigen::DiagonalMatrix<double, 3> unit(1.0, 1.0 / extent, 1.0 / extent);
+  result.covariance = unit * covariance->topLeftCorner<3, 3>() * unit;
   result.covariance(0, 0) += parameters.disparity_floor_px * parameters.disparity_floor_px;
-  result.row_offset = -p[5];
-  result.correlation = correlation_of(t, warped);
+  result.row_offset = -fit.parameters()[5];
+  result.correlation = fit.correlation();
   result.inlier_share = share;
   return result;
 }

@@ -32,11 +32,14 @@ struct StereoPatch {
 };
 
 struct AlignmentParameters {
-  int max_iterations = 10;
-  double settled_px = 2e-4;           // largest change of disparity within the mark that ends the iteration
+  int max_iterations = 10;       // on few pixels, until the change is below rough_px
+  int max_final_iterations = 3;  // on all, until it is below settled_px
+  double rough_px = 0.02;        // of disparity, at the mark's middle plus at its ends
+  double settled_px = 0.001;
+  int max_rough_pixels = 800;
   double max_seed_error_px = 3.0;     // from the coarse disparity; farther than that it ran away
-  int max_pixels = 8000;              // larger masks are thinned out
-  int max_seed_pixels = 500;          // for the coarse search
+  int max_pixels = 4000;              // larger masks are thinned out: neighbours repeat each other
+  int max_seed_pixels = 250;          // for the coarse search
   double outlier_sigmas = 3.5;        // pixels with larger residuals are hidden in one view, or shine
   double noise_correlation = 1.3;     // interpolation hides part of the right image's noise from the residuals
   double disparity_floor_px = 0.008;  // what interpolation and the lens model leave, whatever the texture

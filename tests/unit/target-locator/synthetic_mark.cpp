@@ -17,7 +17,8 @@ constexpr double kPi = 3.14159265358979323846;
 
 // A fixed pseudo-random number of [0, 1) for every lattice point.
 double lattice(int x, int y, unsigned seed) {
-  std::uint32_t h = static_cast<std::uint32_t>(x) * 374761393U + static_cast<std::uint32_t>(y) * 668265263U + seed * 2246822519U;
+  std::uint32_t h =
+      static_cast<std::uint32_t>(x) * 374761393U + static_cast<std::uint32_t>(y) * 668265263U + seed * 2246822519U;
   h = (h ^ (h >> 13)) * 1274126177U;
   h ^= h >> 16;
   return h / 4294967296.0;
@@ -56,7 +57,8 @@ Eigen::Vector3d trace(const Scene& scene, const Eigen::Matrix3d& axes, const Eig
     if (on_mark.x() < -half + scene.hidden_share * scene.size) return {105.0, 100.0, 95.0};
     const double a = on_mark.x() / 0.0022;
     const double b = on_mark.z() / 0.0022;
-    const double noise = 0.65 * smooth_noise(a, b, texture_seed) + 0.35 * smooth_noise(2.0 * a + 7.3, 2.0 * b + 1.9, texture_seed + 17U);
+    const double noise =
+        0.65 * smooth_noise(a, b, texture_seed) + 0.35 * smooth_noise(2.0 * a + 7.3, 2.0 * b + 1.9, texture_seed + 17U);
     const double brightness = 1.0 - scene.texture_depth * noise;
     return brightness * Eigen::Vector3d(45.0, 40.0, 225.0);
   }
@@ -98,7 +100,8 @@ RenderedView render_view(const Scene& scene, bool right, int patch_limit) {
         }
       }
       for (int k = 0; k < 3; ++k) {
-        const double value = sum[k] / (kRays * kRays) * (right ? scene.right_gain : 1.0) + scene.noise_sigma * noise(generator);
+        const double value =
+            sum[k] / (kRays * kRays) * (right ? scene.right_gain : 1.0) + scene.noise_sigma * noise(generator);
         image(v - v0, u - u0)[k] = cv::saturate_cast<uchar>(value);
       }
     }
@@ -121,8 +124,8 @@ RenderedView render_view(const Scene& scene, bool right, int patch_limit) {
     if (largest == 0 || stats(k, cv::CC_STAT_AREA) > stats(largest, cv::CC_STAT_AREA)) largest = k;
   }
   if (largest == 0) return out;
-  const cv::Rect box(stats(largest, cv::CC_STAT_LEFT), stats(largest, cv::CC_STAT_TOP), stats(largest, cv::CC_STAT_WIDTH),
-                     stats(largest, cv::CC_STAT_HEIGHT));
+  const cv::Rect box(stats(largest, cv::CC_STAT_LEFT), stats(largest, cv::CC_STAT_TOP),
+                     stats(largest, cv::CC_STAT_WIDTH), stats(largest, cv::CC_STAT_HEIGHT));
   View& view = out.view;
   view.seen = true;
   view.x = u0 + box.x;
@@ -168,9 +171,13 @@ RenderedView render_view(const Scene& scene, bool right, int patch_limit) {
 
 }  // namespace
 
-geometry::StereoCamera default_camera() { return {784.0, 784.0, 319.5, 319.5, 239.5, 0.065}; }
+geometry::StereoCamera default_camera() {
+  return {784.0, 784.0, 319.5, 319.5, 239.5, 0.065};
+}
 
-Eigen::Vector3d Scene::normal() const { return -orientation(*this).col(1); }
+Eigen::Vector3d Scene::normal() const {
+  return -orientation(*this).col(1);
+}
 
 MarkObservation RenderedMark::observation(Surface surface, double size) const {
   MarkObservation observation;
