@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace markservo::simulator {
@@ -16,13 +17,16 @@ class LockstepBarrier {
   // A new frame to be answered.
   void expect(std::int64_t frame_session, std::int64_t frame_seq) {
     session_ = frame_session;
-    seq_ = frame_seq;
+    first_seq_ = last_seq_ = frame_seq;
     answered_.clear();
   }
 
+  // The same exposure is sent again as `frame_seq`: an answer to either counts.
+  void expect_also(std::int64_t frame_seq) { last_seq_ = frame_seq; }
+
   // An answer on `channel`; counts if it is to the expected frame.
   void note(const std::string& channel, std::int64_t frame_session, std::int64_t frame_seq) {
-    if (frame_session == session_ && frame_seq == seq_) answered_.insert(channel);
+    if (frame_session == session_ && frame_seq >= first_seq_ && frame_seq <= last_seq_) answered_.insert(channel);
   }
 
   bool complete() const { return missing().empty(); }
@@ -39,7 +43,8 @@ class LockstepBarrier {
  private:
   std::vector<std::string> channels_;
   std::int64_t session_ = 0;
-  std::int64_t seq_ = 0;
+  std::int64_t first_seq_ = 0;
+  std::int64_t last_seq_ = 0;
   std::set<std::string> answered_;
 };
 

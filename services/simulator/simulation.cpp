@@ -1,5 +1,6 @@
 #include "services/simulator/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/robot/configuration_error.hpp"
@@ -81,7 +82,7 @@ CommandVerdict Simulation::command(const FrameIdentity& answered, const ArmComma
   ++verdicts_[verdict];
   if (verdict != CommandVerdict::kObeyed) return verdict;
   if (timing_ == Timing::kLockstep) {
-    const std::int64_t answered_number = frame_number_ - (frame_seq_ - answered.seq);
+    const std::int64_t answered_number = frame_number_ - std::max<std::int64_t>(0, first_seq_ - answered.seq);
     delayed_.add(answered_number + std::llround(settings_.servo_delay_frames), command);
   } else {
     delayed_.add(utime() + std::llround(settings_.servo_delay_s * 1e6), command);
@@ -108,6 +109,7 @@ void Simulation::expose(std::int64_t seq) {
   frame_seq_ = seq;
   if (exposed_step_ == step_count_) return;
   exposed_step_ = step_count_;
+  first_seq_ = seq;
   ++frame_number_;
   schedule_.advance();
 }

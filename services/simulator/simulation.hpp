@@ -89,7 +89,8 @@ class Simulation {
   FrameSchedule schedule_;
   std::int64_t step_count_ = 0;    // since the start; time is counted by it
   std::int64_t frame_number_ = 0;  // since the reset, of the exposed frame; 0 before the first
-  std::int64_t frame_seq_ = 0;     // of the exposed frame
+  std::int64_t frame_seq_ = 0;     // of the exposed frame, as last sent
+  std::int64_t first_seq_ = 0;     // of the exposed frame, as first sent
   std::int64_t exposed_step_ = -1;
   std::map<CommandVerdict, std::int64_t> verdicts_;
 };

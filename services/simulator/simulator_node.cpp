@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <iostream>
 #include <markservo/MarkDetection.hpp>
 #include <markservo/ServoStatus.hpp>
@@ -24,9 +25,11 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr std::int64_t kJointStatePeriod_us = 10'000;
-constexpr std::chrono::milliseconds kRepublishPeriod{500};  // of a frame that nobody could answer yet
-constexpr milliseconds kPatience{1000};                     // before the state says what is waited for
-constexpr milliseconds kSlipLimit{100};                     // how far simulated time may fall behind before it slips
+// A frame that nobody could answer yet is sent again, ever less often: an answer may take long on a busy machine.
+constexpr milliseconds kFirstRepeat{500};
+constexpr milliseconds kLongestRepeat{2000};
+constexpr milliseconds kPatience{1000};  // before the state says what is waited for
+constexpr milliseconds kSlipLimit{100};  // how far simulated time may fall behind before it slips
 
 const std::vector<std::string> kAnsweringChannels = {"JOINT_COMMAND", "TASK_STATE",     "SERVO_STATUS",
                                                      "TARGET_POSE",   "MARK_DETECTION", "SIM_CONTROL"};
@@ -225,6 +228,7 @@ void SimulatorNode::run_lockstep(bus::Bus& bus) {
 bool SimulatorNode::wait_for_answers(bus::Bus& bus) {
   const SteadyTime begin = steady_clock::now();
   SteadyTime published = begin;
+  milliseconds repeat = kFirstRepeat;
   while (!barrier_.complete()) {
     if (!bus.poll(milliseconds(20))) return false;
     if (world_is_new_) return true;
@@ -232,9 +236,10 @@ bool SimulatorNode::wait_for_answers(bus::Bus& bus) {
     if (now - begin > kPatience) bus.set_state("waiting", "for " + barrier_.missing());
     if (!answered_once_) {
       // Nothing runs yet that could answer: services may start in any order.
-      if (now - published < kRepublishPeriod) continue;
+      if (now - published < repeat) continue;
       expose_frame();
       published = now;
+      repeat = std::min(2 * repeat, kLongestRepeat);
       continue;
     }
     if (now - begin < duration<double>(lockstep_timeout_s_)) continue;
@@ -296,7 +301,11 @@ void SimulatorNode::expose_frame() {
   }
   world_is_new_ = false;
   simulation_->expose(++frame_seq_);
-  barrier_.expect(frames_->session(), frame_seq_);
+  if (repeated) {
+    barrier_.expect_also(frame_seq_);
+  } else {
+    barrier_.expect(frames_->session(), frame_seq_);
+  }
   truth_ = truth_message(simulation_->world().truth());
   truth_.utime = truth_.frame_utime = simulation_->utime();
   truth_.frame_session = frames_->session();

@@ -33,6 +33,15 @@ TEST(LockstepBarrier, EveryFrameIsAnsweredAnew) {
   EXPECT_FALSE(barrier.complete());
 }
 
+TEST(LockstepBarrier, AnAnswerToAnySendingOfAnExposureCounts) {
+  LockstepBarrier barrier({"JOINT_COMMAND", "TASK_STATE"});
+  barrier.expect(7, 2);
+  barrier.expect_also(3);
+  barrier.note("JOINT_COMMAND", 7, 2);
+  barrier.note("TASK_STATE", 7, 3);
+  EXPECT_TRUE(barrier.complete());
+}
+
 TEST(FrameSchedule, ThirtyFramesTakeASecond) {
   FrameSchedule schedule(30.0, 0.002, 100);
   EXPECT_EQ(schedule.next(), 100);

@@ -1,0 +1,178 @@
+#pragma once
+
+// A running simulator and a client on its bus, for tests on a network of their own.
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <markservo/JointCommand.hpp>
+#include <markservo/JointState.hpp>
+#include <markservo/SimControl.hpp>
+#include <markservo/SimTruth.hpp>
+#include <markservo/StereoFrame.hpp>
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/bus/bus.hpp"
+
+namespace markservo::simulator {
+
+class SimulatorProcess {
+ public:
+  explicit SimulatorProcess(const std::vector<std::string>& options) {
+    const std::string root = MARKSERVO_SOURCE_DIR;
+    std::vector<std::string> words = {std::string(MARKSERVO_BIN_DIR) + "/simulator", "--robot-file",
+                                      root + "/config/robot.yaml", "--scene", root + "/config/scenes/shelf.yaml"};
+    words.insert(words.end(), options.begin(), options.end());
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_ = fork();
+    if (pid_ == 0) {
+      execv(arguments[0], arguments.data());
+      _exit(127);
+    }
+  }
+  ~SimulatorProcess() {
+    if (pid_ > 0) {
+      kill(pid_, SIGKILL);
+      waitpid(pid_, nullptr, 0);
+    }
+  }
+  SimulatorProcess(const SimulatorProcess&) = delete;
+  SimulatorProcess& operator=(const SimulatorProcess&) = delete;
+
+  // The exit code once it has ended.
+  int wait() {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  int terminate() {
+    kill(pid_, SIGTERM);
+    return wait();
+  }
+
+ private:
+  pid_t pid_ = -1;
+};
+
+// Sees all that the simulator says.
+class Client {
+ public:
+  Client()
+      : bus_(parameters()),
+        commands_(bus_.advertise<JointCommand>("JOINT_COMMAND")),
+        stops_(bus_.advertise<StopRequest>("STOP")),
+        controls_(bus_.advertise<SimControl>("SIM_CONTROL")) {
+    bus_.on_each<SimTruth>("SIM_TRUTH", [this](const SimTruth& message) { truths.push_back(message); });
+    bus_.on_each<StereoFrame>("STEREO_FRAME", [this](const StereoFrame& message) { frames.push_back(message); });
+    bus_.on_each<JointState>("JOINT_STATE", [this](const JointState& message) { joints.push_back(message); });
+    bus_.on_each<StopState>("STOP_STATE", [this](const StopState& message) { stop_states.push_back(message); });
+  }
+
+  std::vector<SimTruth> truths;
+  std::vector<StereoFrame> frames;
+  std::vector<JointState> joints;
+  std::vector<StopState> stop_states;
+
+  // Handles messages until `done`; throws when that takes longer than a hung process may.
+  void until(const std::function<bool()>& done) {
+    const auto begin = std::chrono::steady_clock::now();
+    while (!done()) {
+      bus_.poll(std::chrono::milliseconds(20));
+      if (std::chrono::steady_clock::now() - begin > std::chrono::seconds(60)) throw std::runtime_error("no answer");
+    }
+  }
+  void for_a_while(std::chrono::milliseconds time) {
+    const auto end = std::chrono::steady_clock::now() + time;
+    while (std::chrono::steady_clock::now() < end) bus_.poll(std::chrono::milliseconds(20));
+  }
+
+  // The newest frame, once there is one that this did not give before.
+  const StereoFrame& next_frame() {
+    until([&] { return !frames.empty() && frames.back().seq > given_seq_; });
+    given_seq_ = frames.back().seq;
+    return frames.back();
+  }
+
+  // The command that answers `frame`.
+  void answer(const StereoFrame& frame, const std::vector<double>& position, double speed = 1.0) {
+    JointCommand command{};
+    command.utime = command.frame_utime = frame.utime;
+    command.frame_session = frame.session;
+    command.frame_seq = frame.seq;
+    command.num_joints = static_cast<int32_t>(position.size());
+    command.position = position;
+    command.speed_limit.assign(position.size(), speed);
+    command.gripper_opening = 0.04;
+    command.gripper_force = 25.0;
+    commands_.publish(command);
+  }
+
+  // STOP or its reset, until it is echoed.
+  void request_stop(int8_t kind) {
+    StopRequest request{};
+    request.session = stops_.session();
+    request.request_id = ++last_id_;
+    request.kind = kind;
+    request.source = "test";
+    stops_.publish(request);
+    until([&] { return !stop_states.empty() && stop_states.back().request_id == request.request_id; });
+  }
+
+  // SIM_CONTROL, until it is echoed; the echo.
+  SimTruth control(int8_t kind, int64_t seed, const std::vector<std::pair<std::string, double>>& settings) {
+    SimControl message{};
+    message.session = controls_.session();
+    message.control_id = ++last_id_;
+    message.kind = kind;
+    message.seed = seed;
+    for (const auto& [name, value] : settings) {
+      SimParameter parameter{};
+      parameter.name = name;
+      parameter.value = value;
+      message.parameters.push_back(parameter);
+    }
+    message.num_parameters = static_cast<int32_t>(message.parameters.size());
+    controls_.publish(message);
+    until([&] { return !truths.empty() && truths.back().control_id == message.control_id; });
+    return truths.back();
+  }
+
+  // Publishes again what was sent before, as senders do until they are echoed.
+  void repeat_control(int64_t control_id, int8_t kind, int64_t seed) {
+    SimControl message{};
+    message.session = controls_.session();
+    message.control_id = control_id;
+    message.kind = kind;
+    message.seed = seed;
+    controls_.publish(message);
+  }
+
+ private:
+  static bus::BusParameters parameters() {
+    bus::BusParameters result;
+    if (const char* url = getenv("MARKSERVO_LCM_URL")) result.urls = {url, url};
+    result.service_name = "test";
+    return result;
+  }
+
+  bus::Bus bus_;
+  bus::Publisher<JointCommand> commands_;
+  bus::Publisher<StopRequest> stops_;
+  bus::Publisher<SimControl> controls_;
+  int64_t last_id_ = 0;
+  int64_t given_seq_ = 0;
+};
+
+}  // namespace markservo::simulator
