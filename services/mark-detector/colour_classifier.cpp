@@ -12,9 +12,13 @@ constexpr double kFullTurn_deg = 360.0;
 constexpr double kLeastWidth_deg = 0.1;  // below it the integer cone would degenerate to a line
 
 struct Ray {
-  int x = 0;
-  int y = 0;
+  int16_t x = 0;
+  int16_t y = 0;
 };
+
+int16_t scaled(double ratio, int scale) {
+  return static_cast<int16_t>(std::lround(ratio * scale));
+}
 
 // (R - G, G - B) of the purest colour of a hue.
 Ray ray_of(double hue_deg) {
@@ -27,8 +31,7 @@ Ray ray_of(double hue_deg) {
   const double r = channel(0.0);
   const double g = channel(2.0);
   const double b = channel(4.0);
-  return {static_cast<int>(std::lround((r - g) * ColourRule::kHueScale)),
-          static_cast<int>(std::lround((g - b) * ColourRule::kHueScale))};
+  return {scaled(r - g, ColourRule::kHueScale), scaled(g - b, ColourRule::kHueScale)};
 }
 
 // What all rules ask of a row of pixels.
@@ -44,22 +47,28 @@ struct RowFeatures {
 
 void extract(const ImageView& image, int v, const LumaShift& shift, RowFeatures& row) {
   const uint8_t* p = image.row(v);
-  for (std::size_t u = 0; u < row.x.size(); ++u, p += 3) {
+  // A byte may alias anything: only plain restricted pointers let the compiler keep what it has loaded.
+  int16_t* __restrict x = row.x.data();
+  int16_t* __restrict y = row.y.data();
+  int16_t* __restrict chroma = row.chroma.data();
+  int16_t* __restrict value = row.value.data();
+  int16_t* __restrict shifted = row.shifted.data();
+  for (int u = 0; u < image.width; ++u, p += 3) {
     const int b = p[0];
     const int g = p[1];
     const int r = p[2];
     const int high = std::max(b, std::max(g, r));
     const int low = std::min(b, std::min(g, r));
-    row.x[u] = static_cast<int16_t>(r - g);
-    row.y[u] = static_cast<int16_t>(g - b);
-    row.chroma[u] = static_cast<int16_t>(high - low);
-    row.value[u] = static_cast<int16_t>(high);
-    row.shifted[u] = static_cast<int16_t>(std::clamp(high + shift[static_cast<std::size_t>(luma(b, g, r))], 0, 255));
+    x[u] = static_cast<int16_t>(r - g);
+    y[u] = static_cast<int16_t>(g - b);
+    chroma[u] = static_cast<int16_t>(high - low);
+    value[u] = static_cast<int16_t>(high);
+    shifted[u] = static_cast<int16_t>(std::clamp(high + shift[static_cast<std::size_t>(luma(b, g, r))], 0, 255));
   }
 }
 
 // Without branches, so that the loop over a row becomes vector code.
-inline unsigned matches(const ColourRule& rule, int x, int y, int chroma, int value, int shifted) {
+inline unsigned matches(const ColourRule& rule, int16_t x, int16_t y, int16_t chroma, int16_t value, int16_t shifted) {
   const unsigned after_min = rule.min_x * y - rule.min_y * x >= 0 ? 1U : 0U;
   const unsigned before_max = x * rule.max_y - y * rule.max_x >= 0 ? 1U : 0U;
   const unsigned both = after_min & before_max;
@@ -70,6 +79,20 @@ inline unsigned matches(const ColourRule& rule, int x, int y, int chroma, int va
                               (scaled_chroma <= rule.saturation_max * value ? 1U : 0U);
   const unsigned brightness = (shifted >= rule.value_min ? 1U : 0U) & (shifted <= rule.value_max ? 1U : 0U);
   return hue & saturation & brightness & (chroma >= rule.chroma_min ? 1U : 0U);
+}
+
+void classify_row(const ColourRule& rule, const RowFeatures& row, std::vector<uint8_t>& bytes) {
+  const ColourRule own = rule;
+  const int16_t* __restrict x = row.x.data();
+  const int16_t* __restrict y = row.y.data();
+  const int16_t* __restrict chroma = row.chroma.data();
+  const int16_t* __restrict value = row.value.data();
+  const int16_t* __restrict shifted = row.shifted.data();
+  uint8_t* __restrict out = bytes.data();
+  const std::size_t n = bytes.size();
+  for (std::size_t u = 0; u < n; ++u) {
+    out[u] = static_cast<uint8_t>(matches(own, x[u], y[u], chroma[u], value[u], shifted[u]));
+  }
 }
 
 }  // namespace
@@ -91,19 +114,20 @@ ColourRule make_rule(const robot::ColourInterval& interval, int chroma_min) {
   rule.min_y = least.y;
   rule.max_x = greatest.x;
   rule.max_y = greatest.y;
-  const auto scaled = [](double ratio, int scale) { return static_cast<int>(std::lround(ratio * scale)); };
   rule.saturation_min = scaled(std::clamp(interval.saturation_min, 0.0, 1.0), ColourRule::kSaturationScale);
   rule.saturation_max = scaled(std::clamp(interval.saturation_max, 0.0, 1.0), ColourRule::kSaturationScale);
   rule.value_min = scaled(std::clamp(interval.value_min, 0.0, 1.0), 255);
   rule.value_max = scaled(std::clamp(interval.value_max, 0.0, 1.0), 255);
-  rule.chroma_min = chroma_min;
+  rule.chroma_min = static_cast<int16_t>(std::clamp(chroma_min, 0, 255));
   return rule;
 }
 
 bool belongs(const ColourRule& rule, int b, int g, int r, int shift) {
   const int high = std::max(b, std::max(g, r));
   const int low = std::min(b, std::min(g, r));
-  return matches(rule, r - g, g - b, high - low, high, std::clamp(high + shift, 0, 255)) != 0;
+  const auto narrow = [](int number) { return static_cast<int16_t>(number); };
+  return matches(rule, narrow(r - g), narrow(g - b), narrow(high - low), narrow(high),
+                 narrow(std::clamp(high + shift, 0, 255))) != 0;
 }
 
 std::vector<BitMask> classify(const ImageView& image, const LumaShift& shift, const std::vector<ColourRule>& rules) {
@@ -113,10 +137,7 @@ std::vector<BitMask> classify(const ImageView& image, const LumaShift& shift, co
   for (int v = 0; v < image.height; ++v) {
     extract(image, v, shift, row);
     for (std::size_t k = 0; k < rules.size(); ++k) {
-      const ColourRule rule = rules[k];
-      for (std::size_t u = 0; u < bytes.size(); ++u) {
-        bytes[u] = static_cast<uint8_t>(matches(rule, row.x[u], row.y[u], row.chroma[u], row.value[u], row.shifted[u]));
-      }
+      classify_row(rules[k], row, bytes);
       masks[k].set_row(v, bytes.data());
     }
   }

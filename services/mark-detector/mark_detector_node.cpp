@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <stdexcept>
@@ -15,13 +17,20 @@
 namespace markservo::mark_detector {
 namespace {
 
-cv::Mat read_picture(const std::string& option, const std::string& path) {
-  cv::Mat image;
+// An empty image if the bytes are no picture.
+cv::Mat decode_picture(const std::vector<uint8_t>& bytes) {
   try {
-    image = cv::imread(path, cv::IMREAD_COLOR);
+    return bytes.empty() ? cv::Mat() : cv::imdecode(bytes, cv::IMREAD_COLOR);
   } catch (const cv::Exception&) {
-    image.release();
+    return {};
   }
+}
+
+cv::Mat read_picture(const std::string& option, const std::string& path) {
+  // Not cv::imread, which writes warnings of its own.
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const cv::Mat image = decode_picture(bytes);
   if (image.empty()) throw ConfigurationError(option + " '" + path + "': cannot be read; allowed: a picture file");
   return image;
 }
@@ -41,12 +50,7 @@ cv::Mat decode(const StereoFrame& frame, const std::vector<uint8_t>& side, const
   if (frame.encoding == StereoFrame::ENCODING_BGR8) {
     return {frame.height, frame.width, CV_8UC3, const_cast<uint8_t*>(side.data())};
   }
-  cv::Mat image;
-  try {
-    if (!side.empty()) image = cv::imdecode(side, cv::IMREAD_COLOR);
-  } catch (const cv::Exception&) {
-    image.release();
-  }
+  const cv::Mat image = decode_picture(side);
   if (image.empty()) throw std::runtime_error(std::string(name) + " is no JPEG that can be read");
   if (image.cols != frame.width || image.rows != frame.height) {
     throw std::runtime_error(std::string(name) + "'s JPEG is " + std::to_string(image.cols) + " x " +
