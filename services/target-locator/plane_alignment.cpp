@@ -34,62 +34,74 @@ struct Template {
   std::size_t size() const { return column.size(); }
 };
 
-Template make_template(const StereoPatch& patch, const Mask& mask) {
+// Of the masked pixels every `step`-th, in reading order.
+Template make_template(const StereoPatch& patch, const Mask& mask, int step) {
   Template t;
   const PatchFrame& frame = patch.left_frame;
-  double sum_x = 0.0;
-  double sum_y = 0.0;
-  double sum_xx = 0.0;
-  const auto inverse_scale = static_cast<float>(1.0 / frame.scale);
+  std::vector<int> columns;
+  const std::size_t room = mask.data.size() / static_cast<std::size_t>(step) + 1;
+  columns.reserve(room);
+  t.row.reserve(room);
+  int skip = 0;
   for (int y = 0; y < mask.height; ++y) {
+    const unsigned char* inside = mask.row(y);
     for (int x = 1; x + 1 < mask.width; ++x) {
-      if (mask.at(x, y) == 0) continue;
-      t.column.push_back(static_cast<float>(x));
+      if (inside[x] == 0) continue;
+      if (skip-- > 0) continue;
+      skip = step - 1;
+      columns.push_back(x);
       t.row.push_back(y);
-      t.grey.push_back(patch.left.at(x, y));
-      t.gradient_u.push_back(patch.left_gradients.column.at(x, y) * inverse_scale);
-      t.gradient_v.push_back(patch.left_gradients.row.at(x, y) * inverse_scale);
-      t.slope_u.push_back(0.5F * (patch.left.at(x + 1, y) - patch.left.at(x - 1, y)) * inverse_scale);
-      sum_x += x;
-      sum_y += y;
-      sum_xx += static_cast<double>(x) * x + static_cast<double>(y) * y;
     }
   }
-  const auto n = static_cast<double>(t.size());
-  if (t.size() == 0) return t;
-  // About its mean, so that gain and offset do not fight each other.
+  const std::size_t count = columns.size();
+  if (count == 0) return t;
+  double sum_x = 0.0;
+  double sum_y = 0.0;
+  double sum_squares = 0.0;
   double sum_grey = 0.0;
-  for (const float grey : t.grey) sum_grey += static_cast<double>(grey);
-  const auto mean_grey = static_cast<float>(sum_grey / n);
-  for (float& grey : t.grey) grey -= mean_grey;
+  for (auto* values : {&t.column, &t.grey, &t.gradient_u, &t.gradient_v, &t.slope_u, &t.along_u, &t.along_v}) {
+    values->resize(count);
+  }
+  t.used.assign(count, 1);
+  const auto inverse_scale = static_cast<float>(1.0 / frame.scale);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int x = columns[i];
+    const int y = t.row[i];
+    const float* grey = patch.left.row(y) + x;
+    t.column[i] = static_cast<float>(x);
+    t.grey[i] = grey[0];
+    t.gradient_u[i] = patch.left_gradients.column.at(x, y) * inverse_scale;
+    t.gradient_v[i] = patch.left_gradients.row.at(x, y) * inverse_scale;
+    t.slope_u[i] = 0.5F * (grey[1] - grey[-1]) * inverse_scale;
+    sum_x += x;
+    sum_y += y;
+    sum_squares += static_cast<double>(x) * x + static_cast<double>(y) * y;
+    sum_grey += static_cast<double>(grey[0]);
+  }
+  const auto n = static_cast<double>(count);
   const double cx = sum_x / n;
   const double cy = sum_y / n;
-  const double spread = std::sqrt(std::max(1.0, sum_xx / n - cx * cx - cy * cy));
+  const double spread = std::sqrt(std::max(1.0, sum_squares / n - cx * cx - cy * cy));
   t.extent = spread * frame.scale;
   t.u0 = frame.u_of(cx);
   t.v0 = frame.v_of(cy);
-  t.along_u.resize(t.size());
-  t.along_v.resize(t.size());
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    t.along_u[i] = static_cast<float>((static_cast<double>(t.column[i]) - cx) / spread);
-    t.along_v[i] = static_cast<float>((t.row[i] - cy) / spread);
+  // About its mean, so that gain and offset do not fight each other.
+  const auto mean_grey = static_cast<float>(sum_grey / n);
+  const auto middle_x = static_cast<float>(cx);
+  const auto middle_y = static_cast<float>(cy);
+  const auto unit = static_cast<float>(1.0 / spread);
+  for (std::size_t i = 0; i < count; ++i) {
+    t.grey[i] -= mean_grey;
+    t.along_u[i] = (t.column[i] - middle_x) * unit;
+    t.along_v[i] = (static_cast<float>(t.row[i]) - middle_y) * unit;
   }
-  t.used.assign(t.size(), 1);
   return t;
 }
 
-// Keeps every k-th masked pixel, so that at most `limit` are left; k is odd so that thinning mixes the columns.
-Mask thin_out(const Mask& mask, int limit) {
+// Every how many of `mask`'s pixels leave at most `limit`.
+int step_for(const Mask& mask, int limit) {
   const auto count = static_cast<int>(std::count(mask.data.begin(), mask.data.end(), 1));
-  if (count <= limit || limit <= 0) return mask;
-  const int step = ((count + limit - 1) / limit) | 1;
-  Mask thinned = mask;
-  int i = 0;
-  for (unsigned char& inside : thinned.data) {
-    if (inside == 0) continue;
-    if (i++ % step != 0) inside = 0;
-  }
-  return thinned;
+  return std::max(1, (count + limit - 1) / std::max(1, limit));
 }
 
 // The right view's grey value at every template pixel, for the disparity plane given by `p`.
@@ -287,7 +299,10 @@ DisparityPlane plane_of(const Vector6& p, const Template& t) {
 // Gauss-Newton over one set of pixels.
 class Fit {
  public:
-  Fit(const StereoPatch& patch, const Mask& mask) : patch_(patch), pixels_(make_template(patch, mask)) { factorise(); }
+  Fit(const StereoPatch& patch, const Mask& mask, int limit)
+      : patch_(patch), pixels_(make_template(patch, mask, step_for(mask, limit))) {
+    factorise();
+  }
 
   const Template& pixels() const { return pixels_; }
   const Vector6& parameters() const { return p_; }
@@ -379,7 +394,7 @@ std::optional<DisparityPlane> plane_of_masks(const Mask& left, const PatchFrame&
 
 PlaneSeed seed_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& guess, double reach,
                      const AlignmentParameters& parameters) {
-  const Template t = make_template(patch, thin_out(mask, parameters.max_seed_pixels));
+  const Template t = make_template(patch, mask, step_for(mask, parameters.max_seed_pixels));
   if (t.size() < 2 || patch.right_rows.width < 4) return {guess, -1.0};
   const double step = patch.right_frame.scale;
   const int steps = static_cast<int>(std::ceil(std::max(0.0, reach) / step));
@@ -407,13 +422,13 @@ PlaneSeed seed_plane(const StereoPatch& patch, const Mask& mask, const Disparity
 std::optional<PlaneAlignment> align_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& seed,
                                           const AlignmentParameters& parameters) {
   if (patch.right_rows.width < 4) return std::nullopt;
-  Fit rough(patch, thin_out(mask, parameters.max_rough_pixels));
+  Fit rough(patch, mask, parameters.max_rough_pixels);
   if (!rough.solvable()) return std::nullopt;
   const Vector6 start = parameters_of(seed, rough.pixels());
   if (!rough.iterate(start, parameters.max_iterations, parameters.rough_px, parameters.max_seed_error_px)) {
     return std::nullopt;
   }
-  Fit fit(patch, thin_out(mask, parameters.max_pixels));
+  Fit fit(patch, mask, parameters.max_pixels);
   const DisparityPlane close = plane_of(rough.parameters(), rough.pixels());
   const auto iterate = [&](const Vector6& from) {
     return fit.iterate(from, parameters.max_final_iterations, parameters.settled_px, parameters.max_seed_error_px);

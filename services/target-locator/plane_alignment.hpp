@@ -38,7 +38,7 @@ struct AlignmentParameters {
   double settled_px = 0.001;
   int max_rough_pixels = 800;
   double max_seed_error_px = 3.0;     // from the coarse disparity; farther than that it ran away
-  int max_pixels = 4000;              // larger masks are thinned out: neighbours repeat each other
+  int max_pixels = 2000;              // larger masks are thinned out: neighbours repeat each other
   int max_seed_pixels = 250;          // for the coarse search
   double outlier_sigmas = 3.5;        // pixels with larger residuals are hidden in one view, or shine
   double noise_correlation = 1.3;     // interpolation hides part of the right image's noise from the residuals

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -206,16 +207,17 @@ TEST(LocateMark, SurvivesStrangePatches) {
   const auto rendered = test::render(scene);
   const std::vector<std::uint8_t> zeros(70000, 0);
   const std::vector<std::uint8_t> ones(70000, 255);
-  std::vector<std::uint8_t> random(70000);
+  std::vector<std::uint8_t> noise(70000);
   std::mt19937 generator(3);
-  for (auto& byte : random) byte = static_cast<std::uint8_t>(generator());
+  for (auto& byte : noise) byte = static_cast<std::uint8_t>(generator());
+  const std::array<const std::vector<std::uint8_t>*, 3> contents = {&zeros, &ones, &noise};
   for (const Method method : {Method::kRefined, Method::kPaper}) {
     for (const Surface surface : {Surface::kPlane, Surface::kFree}) {
       LocatorParameters parameters;
       parameters.method = method;
       for (const int side : {1, 2, 3, 7, 8, 9, 12, 40, 128}) {
-        for (const auto* bgr : {&zeros, &ones, &random}) {
-          for (const auto* mask : {&zeros, &ones, &random}) {
+        for (const auto* bgr : contents) {
+          for (const auto* mask : contents) {
             for (const bool both : {false, true}) {
               MarkObservation odd = rendered.observation(surface);
               odd.left.patch.width = odd.left.patch.height = side;
