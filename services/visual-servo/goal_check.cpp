@@ -80,8 +80,8 @@ std::string why_unreachable(const robot::ArmDescription& arm, const Eigen::Vecto
   const std::string where = format("grip point (%.3f, %.3f, %.3f) m: ", p_CG.x(), p_CG.y(), p_CG.z());
   switch (ik.status) {
     case robot::ReachStatus::kTooFar:
-      return where + format("%.3f m from the shoulder, the arm reaches %.3f m", shoulder_to_goal,
-                            arm.upper_arm + arm.forearm);
+      return where +
+             format("%.3f m from the shoulder, the arm reaches %.3f m", shoulder_to_goal, arm.upper_arm + arm.forearm);
     case robot::ReachStatus::kTooClose:
       return where + format("%.3f m from the shoulder, too close", shoulder_to_goal);
     case robot::ReachStatus::kYawLimit:

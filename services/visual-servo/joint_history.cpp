@@ -6,8 +6,9 @@ namespace markservo::visual_servo {
 namespace {
 
 constexpr std::int64_t kKept_us = 1'000'000;
-constexpr double kLeapFactor = 2.0;     // of the servo's own speed
-constexpr double kLeapAllowance = 0.1;  // rad, for samples that share a time stamp
+constexpr std::int64_t kAhead_us = 10'000;  // one interval of joint states: what a picture may be ahead of the newest
+constexpr double kLeapFactor = 2.0;         // of the servo's own speed
+constexpr double kLeapAllowance = 0.1;      // rad, for samples that share a time stamp
 
 bool is_leap(const JointSample& from, const JointSample& to, const JointVector& max_speed) {
   const double seconds = seconds_between(from.utime, to.utime);
@@ -34,10 +35,19 @@ JointVector JointHistory::at(std::int64_t utime) const {
   const auto after = std::lower_bound(samples_.begin(), samples_.end(), utime,
                                       [](const JointSample& sample, std::int64_t t) { return sample.utime < t; });
   if (after == samples_.begin()) return samples_.front().position;
-  if (after == samples_.end()) return samples_.back().position;
+  if (after == samples_.end()) return ahead(utime);
   const auto before = std::prev(after);
   const double part = seconds_between(before->utime, utime) / seconds_between(before->utime, after->utime);
   return before->position + part * (after->position - before->position);
+}
+
+JointVector JointHistory::ahead(std::int64_t utime) const {
+  const JointSample& last = samples_.back();
+  if (samples_.size() < 2) return last.position;
+  const JointSample& before = samples_[samples_.size() - 2];
+  const std::int64_t later = std::min(utime - last.utime, kAhead_us);
+  return last.position +
+         (last.position - before.position) * (seconds_between(0, later) / seconds_between(before.utime, last.utime));
 }
 
 std::optional<std::int64_t> JointHistory::near_since(const JointVector& position, double tolerance) const {

@@ -12,21 +12,24 @@ namespace markservo::visual_servo {
 
 class JointHistory {
  public:
-  // Adds a sample. A new writer, a clock that went back, or a leap that no servo can make (`max_speed`, rad/s per joint)
-  // starts the history anew and returns true: what was commanded before no longer holds.
+  // Adds a sample. A new writer, a clock that went back, or a leap that no servo can make (`max_speed`, rad/s per
+  // joint) starts the history anew and returns true: what was commanded before no longer holds.
   bool add(const JointSample& sample, const JointVector& max_speed);
 
   bool empty() const { return samples_.empty(); }
   const JointSample& newest() const { return samples_.back(); }
 
-  // Joint positions at `utime`, interpolated; the nearest sample's outside the history. Requires !empty().
+  // Joint positions at `utime`, interpolated; the oldest sample's before the history, up to 10 ms of the present motion
+  // added after it. Requires !empty().
   JointVector at(std::int64_t utime) const;
 
-  // The first utime since which every sample has been within `tolerance` (rad) of `position`; nothing when the newest is
-  // not. Requires !empty().
+  // The first utime since which every sample has been within `tolerance` (rad) of `position`; nothing when the newest
+  // is not. Requires !empty().
   std::optional<std::int64_t> near_since(const JointVector& position, double tolerance) const;
 
  private:
+  JointVector ahead(std::int64_t utime) const;
+
   std::deque<JointSample> samples_;
 };
 

@@ -16,6 +16,16 @@ JointVector entry_posture(const robot::ArmDescription& arm, const OneSidedParame
   return inside_limits(arm, q_goal - parameters.back_off * directions);
 }
 
+JointVector last_but_one(const OneSidedParameters& parameters, const JointVector& q_command, const JointVector& q_final,
+                         const JointVector& directions) {
+  JointVector q = q_command;
+  for (int i = 0; i < robot::kNumJoints; ++i) {
+    const double way = (q_final[i] - q_command[i]) * directions[i];
+    if (way > parameters.last_move) q[i] = q_final[i] - directions[i] * parameters.last_move;
+  }
+  return q;
+}
+
 Correction plan_correction(const robot::ArmDescription& arm, const OneSidedParameters& parameters,
                            const JointVector& q_command, const JointVector& change, const JointVector& directions) {
   Correction correction;

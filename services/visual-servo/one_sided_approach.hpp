@@ -13,9 +13,12 @@ namespace markservo::visual_servo {
 using robot::JointVector;
 
 struct OneSidedParameters {
-  double back_off = 0.030;      // rad (1.7 degrees): 1 degree of backlash and 0.3 degrees of deadband to each side
-  double sure_move = 0.0087;    // rad (0.5 degrees): a move this large starts a servo with 0.3 degrees of deadband
-  double unchanged = 0.00035;   // rad (0.02 degrees, 0.1 mm): joints that are nearer to their goal are left alone
+  double back_off = 0.030;    // rad (1.7 degrees): 1 degree of backlash and 0.3 degrees of deadband to each side
+  double sure_move = 0.0087;  // rad (0.5 degrees): a move this large starts a servo with 0.3 degrees of deadband
+  double last_move =
+      0.00785;  // rad (0.45 degrees): starts that servo too, and is short enough to be one step of its
+                // pulse: a servo that runs home then does not stop on the way, with the rest inside its deadband
+  double unchanged = 0.00035;  // rad (0.02 degrees, 0.1 mm): joints that are nearer to their goal are left alone
 };
 
 // The direction, +1 or -1, in which each joint shall end its moves: yaw as it comes, shoulder lowering, elbow raising.
@@ -31,6 +34,10 @@ struct Correction {
   JointVector final = JointVector::Zero();  // rad
   bool backs_off = false;
 };
+
+// The posture one last move before `q_final`, for a hand that enters from `q_command`, rad.
+JointVector last_but_one(const OneSidedParameters& parameters, const JointVector& q_command, const JointVector& q_final,
+                         const JointVector& directions);
 
 // The correction that changes the command by `change` (rad) and enters it in `directions`.
 Correction plan_correction(const robot::ArmDescription& arm, const OneSidedParameters& parameters,

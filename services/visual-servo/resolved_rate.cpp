@@ -23,8 +23,8 @@ robot::JointVector inside_limits(const robot::ArmDescription& arm, const robot::
 }
 
 robot::JointVector resolved_rate_step(const robot::ArmDescription& arm, const ResolvedRateParameters& parameters,
-                                      const robot::JointVector& q_command, const Eigen::Vector3d& to_go,
-                                      double seconds, double grip_speed, double speed_before) {
+                                      const robot::JointVector& q_command, const Eigen::Vector3d& to_go, double seconds,
+                                      double grip_speed, double speed_before) {
   Eigen::Vector3d grip_step = parameters.gain * to_go;
   const double allowed_speed = std::min(grip_speed, speed_before + parameters.grip_acceleration * seconds);
   const double allowed = allowed_speed * seconds;

@@ -29,8 +29,16 @@ bool rests(const Frame& frame, std::int64_t utime) {
   return since && seconds_between(*since, utime) >= frame.parameters.settling.settle_time;
 }
 
+// Two moves in the ending directions, a frame apart: to the last but one posture, and home.
 void enter(const JointVector& q_goal, const Frame& frame, SightState& state, SightAnswer& answer) {
-  answer.step = q_goal - frame.q_command;
+  answer.step = last_but_one(frame.parameters.one_sided, frame.q_command, q_goal, state.directions) - frame.q_command;
+  answer.at_once = true;
+  state.final = q_goal;
+  state.phase = Phase::kEnter;
+}
+
+void finish_entry(const Frame& frame, SightState& state, SightAnswer& answer) {
+  answer.step = state.final - frame.q_command;
   answer.at_once = true;
   state.window.clear();
   state.phase = Phase::kSettle;
@@ -38,10 +46,13 @@ void enter(const JointVector& q_goal, const Frame& frame, SightState& state, Sig
 
 void approach(const Frame& frame, SightState& state, SightAnswer& answer) {
   const SightParameters& parameters = frame.parameters;
-  JointVector q_goal;
-  answer.unreachable =
-      why_unreachable(frame.arm, frame.sight.p_CG_goal - state.bias, parameters.joint_margin, q_goal);
-  if (!answer.unreachable.empty()) return;
+  JointVector q_goal = frame.q_command;
+  // The bias at the goal depends a little on the posture there, which depends on the bias.
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector3d p_CG = frame.sight.p_CG_goal - state.bias.at(frame.arm, q_goal);
+    answer.unreachable = why_unreachable(frame.arm, p_CG, parameters.joint_margin, q_goal);
+    if (!answer.unreachable.empty()) return;
+  }
   if (state.phase != Phase::kApproach) {
     state.phase = Phase::kApproach;
     state.corrections = 0;
@@ -49,8 +60,10 @@ void approach(const Frame& frame, SightState& state, SightAnswer& answer) {
   }
   const JointVector q_entry = entry_posture(frame.arm, parameters.one_sided, q_goal, state.directions);
   const Eigen::Vector3d to_go =
-      robot::grip_point(frame.arm, q_entry) - robot::grip_point(frame.arm, frame.q_command);
-  if (to_go.norm() <= parameters.entry_radius) {
+      robot::grip_point(frame.arm, q_entry) - robot::grip_point(frame.arm, frame.q_command);  // the bias cancels
+  const Eigen::Vector3d unseen =
+      robot::grip_point(frame.arm, frame.q_command) - robot::grip_point(frame.arm, frame.sight.q_exposure);
+  if (to_go.norm() <= parameters.entry_radius && unseen.norm() <= parameters.entry_unseen) {
     enter(q_goal, frame, state, answer);
     return;
   }
@@ -61,9 +74,8 @@ void approach(const Frame& frame, SightState& state, SightAnswer& answer) {
 
 void correct(const Frame& frame, const Eigen::Vector3d& error, SightState& state, SightAnswer& answer) {
   ++state.corrections;
-  const JointVector change =
-      damped_joint_step(robot::grip_point_jacobian(frame.arm, frame.sight.q_exposure), -error,
-                        frame.parameters.rate.damping);
+  const JointVector change = damped_joint_step(robot::grip_point_jacobian(frame.arm, frame.sight.q_exposure), -error,
+                                               frame.parameters.rate.damping);
   const Correction correction =
       plan_correction(frame.arm, frame.parameters.one_sided, frame.q_command, change, state.directions);
   if (!correction.backs_off) {
@@ -73,6 +85,14 @@ void correct(const Frame& frame, const Eigen::Vector3d& error, SightState& state
   answer.step = correction.via - frame.q_command;
   state.final = correction.final;
   state.phase = Phase::kBackOff;
+}
+
+// How fast the grip point moved about the exposure, m/s.
+double grip_speed_at(const robot::ArmDescription& arm, const JointHistory& joints, std::int64_t utime) {
+  constexpr std::int64_t kSpan_us = 10'000;
+  const Eigen::Vector3d before = robot::grip_point(arm, joints.at(utime - kSpan_us));
+  const Eigen::Vector3d after = robot::grip_point(arm, joints.at(utime + kSpan_us));
+  return (after - before).norm() / seconds_between(-kSpan_us, kSpan_us);
 }
 
 // The error that ends the servoing: finer than asked at first, so that the goal is met with something in hand.
@@ -104,8 +124,8 @@ void stay_converged(const Frame& frame, SightState& state, SightAnswer& answer) 
   answer.settled = true;
   answer.frames = state.window.size();
   answer.error = state.window.mean() - frame.sight.p_CG_goal;
-  const double leave = std::max(frame.parameters.leave_factor * frame.tolerance,
-                                frame.tolerance + frame.parameters.leave_margin);
+  const double leave =
+      std::max(frame.parameters.leave_factor * frame.tolerance, frame.tolerance + frame.parameters.leave_margin);
   answer.converged = answer.error.norm() <= leave;
   if (!answer.converged) {
     state.phase = Phase::kSettle;
@@ -127,13 +147,12 @@ SightAnswer servo_by_sight(const robot::ArmDescription& arm, const SightParamete
                     command_utime,
                     seen_grip_point(arm, sight.q_exposure, sight.p_CM),
                     sight.tolerance > 0.0 ? sight.tolerance : parameters.tolerance};
-  const Eigen::Vector3d bias = kinematic_bias(arm, sight.q_exposure, sight.p_CM);
-  state.bias = state.bias_known ? Eigen::Vector3d(state.bias + parameters.bias_weight * (bias - state.bias)) : bias;
-  state.bias_known = true;
+  state.bias.see(arm, parameters.bias, sight.q_exposure, sight.p_CM, grip_speed_at(arm, joints, sight.utime));
 
   SightAnswer answer;
   answer.error = frame.p_CG - sight.p_CG_goal;
-  const Eigen::Vector3d error_to_come = predicted_grip_point(arm, q_command, state.bias) - sight.p_CG_goal;
+  const Eigen::Vector3d error_to_come =
+      predicted_grip_point(arm, q_command, state.bias.at(arm, q_command)) - sight.p_CG_goal;
   const bool astray = error_to_come.norm() > 2.0 * parameters.far;
   if (state.phase == Phase::kStart && error_to_come.norm() <= parameters.near) {
     state.directions = ending_directions(q_command, q_command);
@@ -143,6 +162,8 @@ SightAnswer servo_by_sight(const robot::ArmDescription& arm, const SightParamete
     approach(frame, state, answer);
   } else if (state.phase == Phase::kBackOff) {
     if (rests(frame, joints.newest().utime)) enter(state.final, frame, state, answer);
+  } else if (state.phase == Phase::kEnter) {
+    finish_entry(frame, state, answer);
   } else if (state.phase == Phase::kSettle) {
     settle(frame, state, answer);
   } else {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "services/visual-servo/joint_history.hpp"
+#include "services/visual-servo/kinematic_bias.hpp"
 #include "services/visual-servo/one_sided_approach.hpp"
 #include "services/visual-servo/resolved_rate.hpp"
 #include "services/visual-servo/settling.hpp"
@@ -19,38 +20,39 @@ struct SightParameters {
   ResolvedRateParameters rate;
   SettlingParameters settling;
   OneSidedParameters one_sided;
-  double joint_margin = 0.0087;      // rad (0.5 degrees) from limits and from the stretched arm, for goals
-  double bias_weight = 0.5;          // of the newest frame in what sight adds to the joints' word
-  double entry_radius = 0.002;       // m from the entry posture, where the entry begins
-  double near = 0.005;               // m; a goal that begins nearer than this is judged before anything moves
-  double far = 0.015;                // m; errors larger than this are approached anew rather than corrected
-  double tolerance = 0.001;          // m, when the goal states none
-  double fine_tolerance = 0.0007;    // m, aimed at while corrections help: what judging by 4 frames can tell
-  double fine_part = 0.4;            // of the goal's tolerance is aimed at, when that is more
-  int fine_corrections = 4;          // after so many the goal's tolerance will do
-  double leave_factor = 2.0;         // x tolerance: a converged goal is left behind when the error exceeds this
-  double leave_margin = 0.0008;      // m above the tolerance, at least
+  KinematicBiasParameters bias;
+  double joint_margin = 0.0087;  // rad (0.5 degrees) from limits and from the stretched arm, for goals
+  double entry_radius = 0.003;   // m from the entry posture, where the entry begins
+  double entry_unseen =
+      0.010;                 // m of motion that the picture before the entry may still lack: a fast hand is seen worse
+  double near = 0.005;       // m; a goal that begins nearer than this is judged before anything moves
+  double far = 0.015;        // m; errors larger than this are approached anew rather than corrected
+  double tolerance = 0.001;  // m, when the goal states none
+  double fine_tolerance = 0.0007;  // m, aimed at while corrections help: what judging by 4 frames can tell
+  double fine_part = 0.4;          // of the goal's tolerance is aimed at, when that is more
+  int fine_corrections = 4;        // after so many the goal's tolerance will do
+  double leave_factor = 2.0;       // x tolerance: a converged goal is left behind when the error exceeds this
+  double leave_margin = 0.0008;    // m above the tolerance, at least
 };
 
 // What one frame says.
 struct Sight {
-  std::int64_t utime = 0;                                  // us, exposure
-  double seconds = 1.0 / 30.0;                             // frame interval
-  JointVector q_exposure = JointVector::Zero();            // rad
-  Eigen::Vector3d p_CM = Eigen::Vector3d::Zero();          // m, hand mark
-  Eigen::Vector3d p_CG_goal = Eigen::Vector3d::Zero();     // m, wanted grip point
-  double tolerance = 0.0;                                  // m, 0: the parameters'
-  double grip_speed = 0.0;                                 // m/s, limit, above 0
-  double speed_before = 0.0;                               // m/s of the grip point in the last step
+  std::int64_t utime = 0;                               // us, exposure
+  double seconds = 1.0 / 30.0;                          // frame interval
+  JointVector q_exposure = JointVector::Zero();         // rad
+  Eigen::Vector3d p_CM = Eigen::Vector3d::Zero();       // m, hand mark
+  Eigen::Vector3d p_CG_goal = Eigen::Vector3d::Zero();  // m, wanted grip point
+  double tolerance = 0.0;                               // m, 0: the parameters'
+  double grip_speed = 0.0;                              // m/s, limit, above 0
+  double speed_before = 0.0;                            // m/s of the grip point in the last step
 };
 
 struct SightState {
-  enum class Phase { kStart, kApproach, kBackOff, kSettle, kConverged };
+  enum class Phase { kStart, kApproach, kBackOff, kEnter, kSettle, kConverged };
   Phase phase = Phase::kStart;
-  bool bias_known = false;
-  Eigen::Vector3d bias = Eigen::Vector3d::Zero();  // m
+  KinematicBias bias;
   JointVector directions = JointVector::Ones();
-  JointVector final = JointVector::Zero();  // rad, where backing off leads on to
+  JointVector final = JointVector::Zero();  // rad, where backing off and entering lead to
   SettledWindow window;
   int corrections = 0;
 };
@@ -61,9 +63,9 @@ struct SightAnswer {
   bool streaming = false;                  // the step is one of many: slow down gently if the next cannot follow
   bool converged = false;
   bool settled = false;
-  int frames = 1;                                  // behind `error`
+  int frames = 1;                                   // behind `error`
   Eigen::Vector3d error = Eigen::Vector3d::Zero();  // m, grip point minus goal
-  std::string unreachable;                         // why; empty when it can be reached
+  std::string unreachable;                          // why; empty when it can be reached
 };
 
 // One frame. `q_command` is commanded since `command_utime` (joints' clock).

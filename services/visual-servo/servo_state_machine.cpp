@@ -17,7 +17,7 @@ namespace {
 constexpr double kNominalFrame_s = 1.0 / 30.0;
 constexpr double kShortestFrame_s = 1.0 / 120.0;
 constexpr double kLongestFrame_s = 0.1;   // a longer gap must not become a longer step
-constexpr double kRampReserve = 1.3;      // ramps end a little before the next command
+constexpr double kRampReserve = 1.05;     // ramps end a little before the next command
 constexpr double kSlowestRamp = 0.2;      // rad/s
 constexpr double kNegligibleStep = 1e-4;  // rad
 
@@ -138,8 +138,7 @@ void ServoStateMachine::advance_time(const PoseSample& pose, State& state) const
     state.sight = SightState();
     state.pose_utime = pose.utime;
   } else if (pose.utime > state.pose_utime) {
-    state.seconds =
-        std::clamp(seconds_between(state.pose_utime, pose.utime), kShortestFrame_s, kLongestFrame_s);
+    state.seconds = std::clamp(seconds_between(state.pose_utime, pose.utime), kShortestFrame_s, kLongestFrame_s);
     state.pose_utime = pose.utime;
   }
 }
@@ -177,8 +176,7 @@ std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& st
 void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status& status) const {
   const JointSample& now = state.joints.newest();
   const SettlingParameters& settling = parameters_.sight.settling;
-  const bool elsewhere =
-      (now.position - state.command.position).cwiseAbs().maxCoeff() > parameters_.lost_arm;
+  const bool elsewhere = (now.position - state.command.position).cwiseAbs().maxCoeff() > parameters_.lost_arm;
   if (elsewhere && at_rest_since(settling, state.joints, state.command.position, state.command_utime)) {
     adopt_joints(state);
   }
@@ -212,7 +210,9 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
   }
 }
 
-void ServoStateMachine::hold(State& state) const { state.last_step.setZero(); }
+void ServoStateMachine::hold(State& state) const {
+  state.last_step.setZero();
+}
 
 void ServoStateMachine::slow_down(State& state) const {
   if (state.last_step.isZero()) return;
@@ -345,8 +345,7 @@ void ServoStateMachine::servo_paper(const PoseSample& pose, const MarkSample& ha
   }
   const auto* mark = robot_.find_mark(goal.target);
   const Eigen::Vector3d usual = mark->grip ? mark->grip->p_TG : goal.p_TG_C;
-  const Eigen::Vector3d error =
-      paper_error(*robot_.paper_law, hand.p_C, state.target.position(), goal.p_TG_C - usual);
+  const Eigen::Vector3d error = paper_error(*robot_.paper_law, hand.p_C, state.target.position(), goal.p_TG_C - usual);
   const double tolerance = goal.tolerance > 0.0 ? goal.tolerance : parameters.tolerance;
   state.paper_frames = error.norm() <= tolerance ? state.paper_frames + 1 : 0;
   const bool there = state.paper_frames >= parameters.settling.frames;

@@ -23,13 +23,14 @@ struct Parameters {
   SightParameters sight;
   PostureMotionParameters posture;
   StillTargetParameters target;
-  double pose_age = 0.2;          // s; a picture that is older than the joint states by more is not acted on
-  double joint_age = 0.3;         // s; likewise joint states that are older than the picture
-  double follow_lead = 0.7;       // rad; a command farther ahead of the arm waits: 0.4 s at full speed and some play
-  double lost_arm = 0.052;        // rad (3 degrees); an arm that rests so far from its command is taken where it is
-  double hand_mismatch = 0.04;    // m between the hand mark and where the joints say it is: another thing was seen
-  double slow_down_factor = 0.4;  // of the last step, per 1/30 s, once the arm must wait; never runs past a goal (gain 0.6)
-  double slow_down_time = 0.12;   // s after which it stands
+  double pose_age = 0.2;        // s; a picture that is older than the joint states by more is not acted on
+  double joint_age = 0.3;       // s; likewise joint states that are older than the picture
+  double follow_lead = 0.7;     // rad; a command farther ahead of the arm waits: 0.4 s at full speed and some play
+  double lost_arm = 0.052;      // rad (3 degrees); an arm that rests so far from its command is taken where it is
+  double hand_mismatch = 0.04;  // m between the hand mark and where the joints say it is: another thing was seen
+  double slow_down_factor =
+      0.4;  // of the last step, per 1/30 s, once the arm must wait; never runs past a goal (gain 0.6)
+  double slow_down_time = 0.12;  // s after which it stands
 };
 
 // All memory between messages.
@@ -39,8 +40,8 @@ struct State {
   std::string stop_reason;
 
   std::optional<Goal> goal;
-  std::string goal_refusal;                        // why the goal cannot be followed at all
-  std::map<std::int64_t, std::int64_t> dropped;    // per session of goals: the last id that a stop has ended
+  std::string goal_refusal;                      // why the goal cannot be followed at all
+  std::map<std::int64_t, std::int64_t> dropped;  // per session of goals: the last id that a stop has ended
 
   bool commanded = false;
   bool adopt_joints = false;  // the command no longer belongs to this arm's state
@@ -49,9 +50,9 @@ struct State {
 
   std::int64_t pose_utime = 0;
   std::int64_t frame_session = 0;
-  double seconds = 1.0 / 30.0;                       // frame interval
-  JointVector last_step = JointVector::Zero();       // rad, zero when it may be broken off at once
-  double waiting = 0.0;                              // s since the motion was interrupted
+  double seconds = 1.0 / 30.0;                  // frame interval
+  JointVector last_step = JointVector::Zero();  // rad, zero when it may be broken off at once
+  double waiting = 0.0;                         // s since the motion was interrupted
   StillTarget target;
   SightState sight;
   int paper_frames = 0;  // in a row within tolerance, by the paper's law

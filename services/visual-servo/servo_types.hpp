@@ -28,8 +28,8 @@ struct JointSample {
 struct MarkSample {
   std::string name;
   bool located = false;
-  std::string problem;                              // why it is not located, for people
-  Eigen::Vector3d p_C = Eigen::Vector3d::Zero();    // m, valid when located
+  std::string problem;                                   // why it is not located, for people
+  Eigen::Vector3d p_C = Eigen::Vector3d::Zero();         // m, valid when located
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // m^2
 };
 
@@ -48,13 +48,13 @@ struct Goal {
   std::int64_t session = 0;
   std::int64_t id = 0;
   GoalKind kind = GoalKind::kHold;
-  std::string target;                                  // servo: name of the target's mark
-  Eigen::Vector3d p_TG_C = Eigen::Vector3d::Zero();    // m, servo: wanted grip point from the target mark
-  double tolerance = 0.0;                              // m, servo; 0: the parameters' own
-  double speed = 0.0;                                  // m/s of the grip point; 0: the parameters' own
-  std::vector<double> position;                        // rad, posture
-  double gripper_opening = 0.0;                        // m
-  double gripper_force = 0.0;                          // N
+  std::string target;                                // servo: name of the target's mark
+  Eigen::Vector3d p_TG_C = Eigen::Vector3d::Zero();  // m, servo: wanted grip point from the target mark
+  double tolerance = 0.0;                            // m, servo; 0: the parameters' own
+  double speed = 0.0;                                // m/s of the grip point; 0: the parameters' own
+  std::vector<double> position;                      // rad, posture
+  double gripper_opening = 0.0;                      // m
+  double gripper_force = 0.0;                        // N
 };
 
 enum class ServoState { kHold, kPosture, kServo, kConverged, kLost, kUnreachable, kStale, kStopped };

@@ -12,12 +12,14 @@
 namespace markservo::visual_servo {
 
 struct SettlingParameters {
-  double arrival_tolerance = 0.0009;  // rad (0.05 degrees, 0.25 mm at the grip point): RC controllers round to 0.02 degrees
-  double rest_time = 0.3;    // s; joint states that stay off the command (deadband, when shafts are measured) count as arrived
-  double settle_time = 0.05; // s for the shafts to come to rest after the ramp's end
-  int frames = 4;            // averaged: noise of 0.2 mm becomes 0.1 mm
-  int patience = 12;         // frames after which a restless average is taken as it is
-  double spread = 0.0012;    // m; farther from the average means still moving (noise of 0.2 mm an axis stays below)
+  double arrival_tolerance =
+      0.0009;  // rad (0.05 degrees, 0.25 mm at the grip point): RC controllers round to 0.02 degrees
+  double rest_time =
+      0.3;  // s; joint states that stay off the command (deadband, when shafts are measured) count as arrived
+  double settle_time = 0.04;  // s for the shafts to come to rest after the ramp's end
+  int frames = 4;             // averaged: noise of 0.2 mm becomes 0.1 mm
+  int patience = 12;          // frames after which a restless average is taken as it is
+  double spread = 0.0012;     // m; farther from the average means still moving (noise of 0.2 mm an axis stays below)
 };
 
 // The utime since which all that was commanded has been carried out; nothing while something is in flight.

@@ -7,9 +7,9 @@
 namespace markservo::visual_servo {
 
 struct StillTargetParameters {
-  int frames = 30;         // averaged over, at most: one second, noise down by five
-  double gate = 0.0015;    // m; a sample farther from the mean than this and than 5 sigma does not belong to it
-  int moved_frames = 2;    // so many in a row mean that the mark has been moved; one alone is an outlier
+  int frames = 30;       // averaged over, at most: one second, noise down by five
+  double gate = 0.0015;  // m; a sample farther from the mean than this and than 5 sigma does not belong to it
+  int moved_frames = 2;  // so many in a row mean that the mark has been moved; one alone is an outlier
 };
 
 class StillTarget {

@@ -9,13 +9,17 @@
 namespace markservo::visual_servo::test {
 namespace {
 
-constexpr double kTick_s = 0.002;
+constexpr double kTick_s = 1.0 / 600.0;  // divides frames and joint states
 constexpr double kStateInterval_s = 0.01;
 constexpr std::int64_t kEpoch_us = 1'700'000'000'000'000;
 
-double towards(double from, double to, double largest) { return from + std::clamp(to - from, -largest, largest); }
+double towards(double from, double to, double largest) {
+  return from + std::clamp(to - from, -largest, largest);
+}
 
-std::int64_t utime_of(double seconds) { return kEpoch_us + std::llround(seconds * 1e6); }
+std::int64_t utime_of(double seconds) {
+  return kEpoch_us + std::llround(seconds * 1e6);
+}
 
 }  // namespace
 
@@ -39,15 +43,19 @@ PoseSample ArmSimulator::expose() {
   pose.utime = utime_of(frame_time_);
   pose.frame_session = 1;
   const Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity() * std::pow(settings_.vision_sigma, 2);
-  pose.marks.push_back({"hand", !hide_hand, hide_hand ? "hidden" : "", robot::hand_mark(truth_, shaft_) + noise(), covariance});
+  pose.marks.push_back(
+      {"hand", !hide_hand, hide_hand ? "hidden" : "", robot::hand_mark(truth_, shaft_) + noise(), covariance});
   pose.marks.push_back({"red_book", !hide_target, hide_target ? "hidden" : "", p_CT_ + noise(), covariance});
+  if (states_.empty() || states_.back().utime != pose.utime) report_joints();  // as the project's simulator does
   poses_.push_back(pose);
   const std::size_t kept = settings_.delay_in_vision ? static_cast<std::size_t>(settings_.delay_frames) : 1;
   while (poses_.size() > kept) poses_.pop_front();
   return poses_.front();
 }
 
-std::deque<JointSample> ArmSimulator::take_joint_states() { return std::exchange(states_, {}); }
+std::deque<JointSample> ArmSimulator::take_joint_states() {
+  return std::exchange(states_, {});
+}
 
 void ArmSimulator::finish_frame(const std::optional<Command>& command) {
   const int frames = settings_.delay_in_vision ? 1 : settings_.delay_frames;
@@ -92,12 +100,18 @@ void ArmSimulator::tick() {
   path_.push_back(grip_point());
   deepest_y_ = std::max(deepest_y_, path_.back().y());
   if (time_ + 1e-9 >= next_state_) {
-    states_.push_back({utime_of(time_), 7, settings_.measured ? shaft_ : ramp_, 0.05, false});
+    report_joints();
     next_state_ += kStateInterval_s;
   }
 }
 
-Eigen::Vector3d ArmSimulator::grip_point() const { return robot::grip_point(truth_, shaft_); }
+void ArmSimulator::report_joints() {
+  states_.push_back({utime_of(time_), 7, settings_.measured ? shaft_ : ramp_, 0.05, false});
+}
+
+Eigen::Vector3d ArmSimulator::grip_point() const {
+  return robot::grip_point(truth_, shaft_);
+}
 
 double ArmSimulator::largest_sweep(const Eigen::Vector3d& goal) const {
   const Eigen::Vector3d start = path_.front();

@@ -23,13 +23,13 @@ struct ServoFaults {
 
 struct SimulatorSettings {
   ServoFaults servos;
-  int delay_frames = 1;             // from exposure to servo
-  bool delay_in_vision = false;     // the delay beyond one frame is spent before the core sees the pose, not after
-  double frame_rate = 30.0;         // Hz
-  double vision_sigma = 0.0002;     // m, per axis
-  double base_error = 0.003;        // m, per axis, uniform: where the arm really stands
-  double link_error = 0.01;         // part, uniform: how long its links really are
-  bool measured = false;            // joint states show the shafts
+  int delay_frames = 1;          // from exposure to servo
+  bool delay_in_vision = false;  // the delay beyond one frame is spent before the core sees the pose, not after
+  double frame_rate = 30.0;      // Hz
+  double vision_sigma = 0.0002;  // m, per axis
+  double base_error = 0.003;     // m, per axis, uniform: where the arm really stands
+  double link_error = 0.01;      // part, uniform: how long its links really are
+  bool measured = false;         // joint states show the shafts
 };
 
 class ArmSimulator {
@@ -63,6 +63,7 @@ class ArmSimulator {
   };
   void run_until(double time);
   void tick();
+  void report_joints();
   Eigen::Vector3d noise();
 
   robot::RobotDescription robot_;

@@ -23,10 +23,9 @@ bool reachable_all_the_way(const robot::ArmDescription& arm, const Eigen::Vector
 }
 
 std::vector<Eigen::Vector3d> starts(const robot::ArmDescription& arm, const Eigen::Vector3d& goal) {
-  const std::vector<Eigen::Vector3d> directions = {{0, -1, 0},        {-0.8, -0.6, 0},  {0.8, -0.6, 0},
-                                                   {0, -0.6, -0.8},   {0, -0.8, 0.6},   {-1, 0, 0},
-                                                   {1, 0, 0},         {0, 0, -1},       {-0.6, 0, -0.8},
-                                                   {0.6, 0, -0.8}};
+  const std::vector<Eigen::Vector3d> directions = {{0, -1, 0},      {-0.8, -0.6, 0}, {0.8, -0.6, 0}, {0, -0.6, -0.8},
+                                                   {0, -0.8, 0.6},  {-1, 0, 0},      {1, 0, 0},      {0, 0, -1},
+                                                   {-0.6, 0, -0.8}, {0.6, 0, -0.8}};
   std::vector<Eigen::Vector3d> found;
   for (const auto& direction : directions) {
     const Eigen::Vector3d start = goal + kStartDistance * direction;
@@ -35,12 +34,21 @@ std::vector<Eigen::Vector3d> starts(const robot::ArmDescription& arm, const Eige
   return found;
 }
 
+Output step_once(ArmSimulator& arm, const ServoStateMachine& machine, State& state) {
+  const PoseSample pose = arm.expose();
+  for (const auto& sample : arm.take_joint_states()) machine.observe(sample, state);
+  Output output = machine.step(pose, state);
+  arm.finish_frame(output.command);
+  return output;
+}
+
 Trial run(const robot::RobotDescription& robot, const ServoStateMachine& machine, const SimulatorSettings& settings,
           const Eigen::Vector3d& start, const Eigen::Vector3d& goal_point, std::uint64_t seed) {
   ArmSimulator arm(robot, settings, seed);
   arm.place(robot::inverse_kinematics(*robot.arm, start, 0.0).q, goal_point - kGripFromTarget);
   State state;
   machine.observe_stop(false, "", state);
+  for (int frame = 0; frame < 6; ++frame) step_once(arm, machine, state);  // the stack runs before the goal comes
   Goal goal;
   goal.session = 1;
   goal.id = 1;
@@ -53,11 +61,7 @@ Trial run(const robot::RobotDescription& robot, const ServoStateMachine& machine
   Trial trial;
   while (trial.frames < kFramesAtMost && !trial.converged) {
     ++trial.frames;
-    const PoseSample pose = arm.expose();
-    for (const auto& sample : arm.take_joint_states()) machine.observe(sample, state);
-    const Output output = machine.step(pose, state);
-    arm.finish_frame(output.command);
-    trial.converged = output.status.state == ServoState::kConverged;
+    trial.converged = step_once(arm, machine, state).status.state == ServoState::kConverged;
   }
   trial.final_error = (arm.grip_point() - goal_point).norm();
   trial.y_overshoot = arm.deepest_y() - std::max(goal_point.y(), start.y());
@@ -76,7 +80,8 @@ std::vector<Trial> run_trials(const robot::RobotDescription& robot, const Parame
       const Eigen::Vector3d goal(x, y, -0.02);
       for (const auto& start : starts(*robot.arm, goal)) {
         for (int seed = 0; seed < seeds; ++seed) {
-          trials.push_back(run(robot, machine, settings, start, goal, 1000 * trials.size() + static_cast<std::uint64_t>(seed)));
+          trials.push_back(
+              run(robot, machine, settings, start, goal, 1000 * trials.size() + static_cast<std::uint64_t>(seed)));
         }
       }
     }
@@ -107,12 +112,14 @@ Summary summarise(const std::vector<Trial>& trials) {
 }
 
 std::string header() {
-  return "law            servos                     delay  converged  frames med/max  error mean/p95/max mm  beyond y mm  off line mm";
+  return "law            servos                     delay  converged  frames med/max  error mean/p95/max mm  beyond y "
+         "mm  off line mm";
 }
 
 std::string row(const std::string& law, const SimulatorSettings& settings, const Summary& s) {
   char text[256];
-  std::snprintf(text, sizeof text, "%-14s %-26s %d%s  %4d/%-4d   %5.0f/%-4d      %5.2f/%5.2f/%5.2f       %5.1f        %5.1f", law.c_str(),
+  std::snprintf(text, sizeof text,
+                "%-14s %-26s %d%s  %4d/%-4d   %5.0f/%-4d      %5.2f/%5.2f/%5.2f       %5.1f        %5.1f", law.c_str(),
                 settings.servos.name.c_str(), settings.delay_frames, settings.delay_in_vision ? " seen" : " sent",
                 s.converged, s.trials, s.frames_median, s.frames_max, 1e3 * s.error_mean, 1e3 * s.error_p95,
                 1e3 * s.error_max, 1e3 * s.y_overshoot, 1e3 * s.sweep);

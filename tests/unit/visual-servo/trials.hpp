@@ -11,10 +11,10 @@ namespace markservo::visual_servo::test {
 
 struct Trial {
   bool converged = false;
-  int frames = 0;             // until CONVERGED
-  double final_error = 0.0;   // m, by truth, when it converged (or gave up)
-  double y_overshoot = 0.0;   // m, beyond the goal
-  double sweep = 0.0;         // m, off the straight line
+  int frames = 0;            // until CONVERGED
+  double final_error = 0.0;  // m, by truth, when it converged (or gave up)
+  double y_overshoot = 0.0;  // m, beyond the goal
+  double sweep = 0.0;        // m, off the straight line
 };
 
 struct Summary {
@@ -22,9 +22,9 @@ struct Summary {
   int converged = 0;
   double frames_median = 0.0;
   int frames_max = 0;
-  double error_mean = 0.0;  // m
-  double error_p95 = 0.0;   // m
-  double error_max = 0.0;   // m
+  double error_mean = 0.0;   // m
+  double error_p95 = 0.0;    // m
+  double error_max = 0.0;    // m
   double y_overshoot = 0.0;  // m, largest
   double sweep = 0.0;        // m, largest
 };
