@@ -10,7 +10,7 @@ namespace markservo::simulator {
 namespace {
 
 // A contact lies midway between the two surfaces, so within half its depth of each; depths are far below this.
-constexpr double kTolerance = 0.002;  // m
+constexpr double kTolerance = 0.01;  // m
 
 mjfCollision box_box = nullptr;
 

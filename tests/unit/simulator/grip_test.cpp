@@ -129,6 +129,26 @@ TEST(Carry, ABookIsPutDownOnTheSideTable) {
   }
 }
 
+TEST(Carry, ABookThatTheCarriedOneKnocksIsOnlyPushed) {
+  const Vector3d goal = grip_goal({0.0325, 0.25, 0.032});
+  World world = test_world(test_settings());
+  ASSERT_TRUE(approach(world, goal));
+  world.command(posture(world.arm().position, 0.0));
+  wait(world, 1.0);
+  const Vector3d lifted = goal + Vector3d(0.0, 0.0, 0.03);
+  ASSERT_TRUE(move_straight(world, goal, lifted, 0.0));
+  // 5 cm less than is needed to turn freely.
+  ASSERT_TRUE(move_straight(world, lifted, lifted + Vector3d(0.0, -0.11, 0.0), 0.0));
+  robot::JointVector turned = world.arm().position;
+  turned[0] = 1.4;
+  world.command(posture(turned, 0.0, 0.74));
+  wait(world, 3.0);
+  const BodyTruth neighbour = body_of(world.truth(), "blue_book");
+  EXPECT_LT(neighbour.X_CB.linear()(0, 0), 0.9999) << "it was not knocked: this test shows nothing";
+  EXPECT_LT(neighbour.height_gain, 0.02) << "it may fall, not fly";
+  EXPECT_LT((neighbour.X_CB.translation() - Vector3d(-0.0175, 0.31, -0.03)).norm(), 1.0);
+}
+
 TEST(Carry, TheArmsWayToTheSideTableTouchesNothing) {
   const robot::ArmDescription arm = *test_robot().arm;
   World world = test_world(test_settings({{"books.y", 0.8}}));
