@@ -1,0 +1,80 @@
+#pragma once
+
+// A simulated arm with ideal servos before a servo core, frame by frame.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "common/robot/arm_kinematics.hpp"
+#include "tests/unit/visual-servo/arm_simulator.hpp"
+
+namespace markservo::visual_servo::test {
+
+inline robot::RobotDescription the_robot() {
+  return robot::load_robot_description(std::string(MARKSERVO_SOURCE_DIR) + "/config/robot.yaml");
+}
+
+class Rig : public testing::Test {
+ protected:
+  Rig() {
+    arm_.place(start_, p_CT_);
+    machine_.observe_stop(false, "", state_);
+  }
+
+  static Goal servo_goal(std::int64_t id = 1) {
+    Goal goal;
+    goal.session = 5;
+    goal.id = id;
+    goal.kind = GoalKind::kServo;
+    goal.target = "red_book";
+    goal.p_TG_C = {0.0, 0.015, -0.052};
+    goal.gripper_opening = 0.05;
+    goal.gripper_force = 10.0;
+    return goal;
+  }
+
+  static Goal posture_goal(const JointVector& q, std::int64_t id = 1) {
+    Goal goal = servo_goal(id);
+    goal.kind = GoalKind::kPosture;
+    goal.position = {q[0], q[1], q[2]};
+    return goal;
+  }
+
+  // One frame; the arm obeys.
+  Output frame() {
+    const PoseSample pose = arm_.expose();
+    for (const auto& sample : arm_.take_joint_states()) machine_.observe(sample, state_);
+    last_pose_ = pose;
+    Output output = machine_.step(pose, state_);
+    arm_.finish_frame(output.command);
+    return output;
+  }
+
+  Output frames(int count) {
+    Output output;
+    for (int i = 0; i < count; ++i) output = frame();
+    return output;
+  }
+
+  // Frames until the state is reached; the frame limit fails the test.
+  Output frames_until(ServoState wanted, int at_most = 100) {
+    for (int i = 0; i < at_most; ++i) {
+      Output output = frame();
+      if (output.status.state == wanted) return output;
+    }
+    ADD_FAILURE() << "state not reached";
+    return {};
+  }
+
+  robot::RobotDescription robot_ = the_robot();
+  ServoStateMachine machine_{robot_, Parameters()};
+  State state_;
+  Eigen::Vector3d p_CT_{0.0325, 0.25, 0.032};
+  Eigen::Vector3d goal_point_ = p_CT_ + Eigen::Vector3d(0.0, 0.015, -0.052);
+  JointVector start_ = robot::inverse_kinematics(*robot_.arm, goal_point_ - Eigen::Vector3d(0.0, 0.12, 0.0), 0.0).q;
+  ArmSimulator arm_{robot_, SimulatorSettings(), 3};
+  PoseSample last_pose_;
+};
+
+}  // namespace markservo::visual_servo::test

@@ -1,0 +1,167 @@
+// The servo's parts, each by itself.
+
+#include <cmath>
+
+#include "services/visual-servo/in_flight.hpp"
+#include "services/visual-servo/paper_law.hpp"
+#include "tests/unit/visual-servo/rig.hpp"
+
+namespace markservo::visual_servo::test {
+namespace {
+
+const Eigen::Matrix3d kCovariance = Eigen::Matrix3d::Identity() * 4e-8;
+const JointVector kServoSpeed = JointVector::Constant(5.2);
+
+JointSample sample_at(std::int64_t utime, double yaw, std::int64_t session = 1) {
+  JointSample sample;
+  sample.utime = utime;
+  sample.session = session;
+  sample.position = {yaw, 0.0, 0.0};
+  return sample;
+}
+
+TEST(JointHistory, InterpolatesAtTheExposure) {
+  JointHistory history;
+  history.add(sample_at(1'000'000, 0.1), kServoSpeed);
+  history.add(sample_at(1'010'000, 0.2), kServoSpeed);
+  EXPECT_NEAR(history.at(1'004'000)[0], 0.14, 1e-12);
+  EXPECT_NEAR(history.at(990'000)[0], 0.1, 1e-12);
+}
+
+TEST(JointHistory, BeginsAnewWithANewWriterAnOldClockOrALeap) {
+  JointHistory history;
+  EXPECT_FALSE(history.add(sample_at(1'000'000, 0.1), kServoSpeed));
+  EXPECT_FALSE(history.add(sample_at(1'010'000, 0.12), kServoSpeed));
+  EXPECT_TRUE(history.add(sample_at(1'020'000, 0.14, 2), kServoSpeed));
+  EXPECT_TRUE(history.add(sample_at(1'000'000, 0.14, 2), kServoSpeed));
+  EXPECT_TRUE(history.add(sample_at(1'010'000, 1.0, 2), kServoSpeed));
+  EXPECT_EQ(history.at(0)[0], 1.0);
+}
+
+TEST(JointHistory, KnowsSinceWhenTheArmIsThere) {
+  JointHistory history;
+  for (int i = 0; i <= 10; ++i) history.add(sample_at(i * 10'000, std::min(0.01 * i, 0.05)), kServoSpeed);
+  EXPECT_EQ(history.near_since({0.05, 0.0, 0.0}, 1e-3), 50'000);
+  EXPECT_FALSE(history.near_since({0.06, 0.0, 0.0}, 1e-3));
+}
+
+TEST(StillTarget, AveragesNoiseAway) {
+  StillTarget target;
+  for (int i = 0; i < 30; ++i) target.see({}, {i % 2 == 0 ? 0.0002 : -0.0002, 0.25, 0.0}, kCovariance);
+  EXPECT_NEAR(target.position().x(), 0.0, 1e-9);
+  EXPECT_NEAR(target.covariance()(0, 0), kCovariance(0, 0) / 30.0, 1e-12);
+}
+
+TEST(StillTarget, PassesOverOneOutlierAndFollowsAMove) {
+  StillTarget target;
+  for (int i = 0; i < 10; ++i) target.see({}, {0.0, 0.25, 0.0}, kCovariance);
+  target.see({}, {0.05, 0.25, 0.0}, kCovariance);
+  EXPECT_EQ(target.position().x(), 0.0);
+  target.see({}, {0.05, 0.25, 0.0}, kCovariance);
+  EXPECT_EQ(target.position().x(), 0.05);
+}
+
+TEST(InFlight, SeesTheGripPointWhereverTheArmStands) {
+  const auto robot = the_robot();
+  robot::ArmDescription moved = *robot.arm;
+  moved.p_CA += Eigen::Vector3d(0.003, -0.002, 0.004);
+  const JointVector q(0.3, 1.2, -0.9);
+  const Eigen::Vector3d seen = seen_grip_point(*robot.arm, q, robot::hand_mark(moved, q));
+  EXPECT_LT((seen - robot::grip_point(moved, q)).norm(), 1e-12);
+}
+
+TEST(InFlight, PredictsTheMotionThatIsNotYetSeen) {
+  const auto robot = the_robot();
+  const JointVector q_exposure(0.3, 1.2, -0.9);
+  const JointVector q_command(0.35, 1.15, -0.8);
+  const Eigen::Vector3d bias = kinematic_bias(*robot.arm, q_exposure, robot::hand_mark(*robot.arm, q_exposure));
+  EXPECT_LT((predicted_grip_point(*robot.arm, q_command, bias) - robot::grip_point(*robot.arm, q_command)).norm(),
+            1e-12);
+}
+
+TEST(KinematicBias, LearnsWhereTheArmStandsAndHowLongItsLinksAre) {
+  const auto robot = the_robot();
+  robot::ArmDescription truth = *robot.arm;
+  truth.p_CA += Eigen::Vector3d(0.003, -0.002, 0.004);
+  truth.upper_arm *= 1.01;
+  truth.forearm *= 0.99;
+  KinematicBias bias;
+  KinematicBiasParameters parameters;
+  for (int i = 0; i < 60; ++i) {
+    const JointVector q(0.5 - 0.01 * i, 1.5 - 0.01 * i, -1.8 + 0.02 * i);
+    bias.see(*robot.arm, parameters, q, robot::hand_mark(truth, q), 0.1);
+  }
+  const JointVector ahead(-0.2, 0.85, -0.5);  // further on, never seen
+  const Eigen::Vector3d expected = robot::grip_point(truth, ahead) - robot::grip_point(*robot.arm, ahead);
+  EXPECT_LT((bias.at(*robot.arm, ahead) - expected).norm(), 0.0003);
+}
+
+TEST(ResolvedRate, LimitsShortenTheStepAndKeepItsDirection) {
+  const auto robot = the_robot();
+  const JointVector q(0.2, 1.3, -1.2);
+  const Eigen::Vector3d to_go(0.03, 0.08, 0.02);
+  const ResolvedRateParameters parameters;
+  const JointVector step = resolved_rate_step(*robot.arm, parameters, q, to_go, 1.0 / 30.0, 0.1, 0.1);
+  const Eigen::Vector3d moved = robot::grip_point_jacobian(*robot.arm, q) * step;
+  EXPECT_LE(moved.norm(), 0.1 / 30.0 + 1e-9);
+  EXPECT_GT(moved.normalized().dot(to_go.normalized()), 0.999);
+}
+
+TEST(ResolvedRate, NeverLeavesTheJointLimits) {
+  const auto robot = the_robot();
+  const JointVector at_limit(robot.arm->joints[0].max, 1.3, -1.2);
+  const JointVector step =
+      resolved_rate_step(*robot.arm, ResolvedRateParameters(), at_limit, {-0.1, -0.1, 0.0}, 1.0 / 30.0, 0.4, 0.4);
+  EXPECT_LE(at_limit[0] + step[0], robot.arm->joints[0].max);
+}
+
+TEST(OneSided, BackingOffDrawsTheHandBackAndNeverInOrSideways) {
+  const auto robot = the_robot();
+  for (const double y : {0.20, 0.25, 0.30}) {
+    const JointVector goal = robot::inverse_kinematics(*robot.arm, {0.0325, y, -0.02}, 0.0).q;
+    const JointVector directions = ending_directions(goal + JointVector(0.2, 0.0, 0.0), goal);
+    const JointVector entry = entry_posture(*robot.arm, OneSidedParameters(), goal, directions);
+    const Eigen::Vector3d moved = robot::grip_point(*robot.arm, entry) - robot::grip_point(*robot.arm, goal);
+    EXPECT_LT(moved.y(), -0.004);
+    EXPECT_LT(std::abs(moved.z()), 0.003);
+    EXPECT_EQ(directions, JointVector(-1.0, -1.0, 1.0));
+  }
+}
+
+TEST(OneSided, EveryCorrectionEndsInItsDirectionByASureMove) {
+  const auto robot = the_robot();
+  const OneSidedParameters parameters;
+  const JointVector q(0.1, 1.2, -1.0);
+  const JointVector directions(1.0, -1.0, 1.0);
+  const Correction correction = plan_correction(*robot.arm, parameters, q, {-0.004, -0.002, 0.0001}, directions);
+  EXPECT_TRUE(correction.backs_off);
+  EXPECT_EQ(correction.final[2], q[2]);  // too little to touch
+  const JointVector before = last_but_one(parameters, correction.via, correction.final, directions);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR((correction.final[i] - before[i]) * directions[i], parameters.last_move, 1e-12);
+    EXPECT_GT((before[i] - correction.via[i]) * directions[i], 0.0);
+  }
+}
+
+TEST(PaperLaw, EachJointFollowsOneAxis) {
+  robot::PaperLawDescription law;
+  law.gains = {31.2, 44.7, -92.4};
+  law.offset_TM = {0.0, -0.04, -0.04};
+  const Eigen::Vector3d p_CT(0.0, 0.25, 0.03);
+  const Eigen::Vector3d error = paper_error(law, {0.01, 0.20, 0.0}, p_CT, Eigen::Vector3d::Zero());
+  EXPECT_LT((error - Eigen::Vector3d(0.01, -0.01, 0.01)).norm(), 1e-12);
+  const JointVector step = paper_step(law, error, 0.1, 10.0);
+  EXPECT_LT((step - JointVector(0.0312, -0.0447, -0.0924)).norm(), 1e-12);
+  EXPECT_NEAR(paper_step(law, error, 0.1, 0.1)[2], -0.01, 1e-12);  // the joints' speed limit
+}
+
+TEST(PaperLaw, NeedsItsGains) {
+  auto robot = the_robot();
+  robot.paper_law.reset();
+  Parameters parameters;
+  parameters.law = Law::kPaper;
+  EXPECT_THROW(ServoStateMachine(robot, parameters), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace markservo::visual_servo::test
