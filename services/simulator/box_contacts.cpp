@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <mutex>
 
 namespace markservo::simulator {
@@ -12,12 +13,16 @@ namespace {
 // A contact lies midway between the two surfaces, so within half its depth of each; depths are far below this.
 constexpr double kTolerance = 0.01;  // m
 
+// Numbers a vector and a rotation matrix take in MuJoCo's arrays.
+constexpr std::ptrdiff_t kVector = 3;
+constexpr std::ptrdiff_t kMatrix = 9;
+
 mjfCollision box_box = nullptr;
 
 bool inside(const mjModel* model, const mjData* data, int geom, const mjtNum* point) {
-  const mjtNum* centre = data->geom_xpos + 3 * geom;
-  const mjtNum* axes = data->geom_xmat + 9 * geom;  // row by row: column k is the box's axis k
-  const mjtNum* half = model->geom_size + 3 * geom;
+  const mjtNum* centre = data->geom_xpos + kVector * geom;
+  const mjtNum* axes = data->geom_xmat + kMatrix * geom;  // row by row: column k is the box's axis k
+  const mjtNum* half = model->geom_size + kVector * geom;
   for (int k = 0; k < 3; ++k) {
     double along = 0.0;
     for (int i = 0; i < 3; ++i) along += axes[3 * i + k] * (point[i] - centre[i]);

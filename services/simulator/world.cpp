@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -62,6 +63,10 @@ void paint(mjModel* model, const SceneModel& scene_model) {
     std::copy(texture.rgb.begin(), texture.rgb.end(), model->tex_rgb + model->tex_adr[id]);
   }
 }
+
+// Numbers a vector and a rotation matrix take in MuJoCo's arrays.
+constexpr std::ptrdiff_t kVector = 3;
+constexpr std::ptrdiff_t kMatrix = 9;
 
 Eigen::Vector3d vector(const mjtNum* v) {
   return {v[0], v[1], v[2]};
@@ -238,9 +243,9 @@ ArmReading World::arm() const {
 
 double World::lowest_point(int body) const {
   const int geom = model_->body_geomadr[body];  // the first geom is the book's box
-  const Eigen::Vector3d half = vector(model_->geom_size + 3 * geom);
-  const Eigen::Matrix3d R = matrix(data_->geom_xmat + 9 * geom);
-  return data_->geom_xpos[3 * geom + 2] - R.row(2).cwiseAbs().dot(half);
+  const Eigen::Vector3d half = vector(model_->geom_size + kVector * geom);
+  const Eigen::Matrix3d R = matrix(data_->geom_xmat + kMatrix * geom);
+  return data_->geom_xpos[kVector * geom + 2] - R.row(2).cwiseAbs().dot(half);
 }
 
 WorldTruth World::truth() {
@@ -249,7 +254,7 @@ WorldTruth World::truth() {
   WorldTruth truth;
   for (std::size_t i = 0; i < joints_.size(); ++i)
     truth.shaft[static_cast<Eigen::Index>(i)] = data_->qpos[joints_[i].qpos];
-  truth.p_CG = vector(data_->site_xpos + 3 * grip_site_);
+  truth.p_CG = vector(data_->site_xpos + kVector * grip_site_);
   for (const JointDrive& finger : fingers_) truth.gripper_opening += data_->qpos[finger.qpos];
   truth.arm_touched = arm_touched_;
   truth.touched = touched_;
@@ -258,8 +263,8 @@ WorldTruth World::truth() {
     const int body = book_bodies_[i];
     BodyTruth book;
     book.name = mj_id2name(model_.get(), mjOBJ_BODY, body);
-    book.X_CB.translation() = vector(data_->xpos + 3 * body);
-    book.X_CB.linear() = matrix(data_->xmat + 9 * body);
+    book.X_CB.translation() = vector(data_->xpos + kVector * body);
+    book.X_CB.linear() = matrix(data_->xmat + kMatrix * body);
     book.height_gain = lowest_point(body) - book_lowest_[i];
     for (int c = 0; c < data_->ncon; ++c) {
       const int body1 = model_->geom_bodyid[data_->contact[c].geom1];
@@ -282,8 +287,8 @@ WorldTruth World::truth() {
     if (geom < 0) continue;  // a mark of robot.yaml that this scene does not have
     MarkTruth mark;
     mark.name = description.name;
-    mark.normal_C = matrix(data_->geom_xmat + 9 * geom).col(2);
-    mark.p_CM = vector(data_->geom_xpos + 3 * geom) + 0.5 * kPrintThickness * mark.normal_C;
+    mark.normal_C = matrix(data_->geom_xmat + kMatrix * geom).col(2);
+    mark.p_CM = vector(data_->geom_xpos + kVector * geom) + 0.5 * kPrintThickness * mark.normal_C;
     truth.marks.push_back(std::move(mark));
   }
   return truth;
