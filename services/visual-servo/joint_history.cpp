@@ -7,6 +7,7 @@ namespace {
 
 constexpr std::int64_t kKept_us = 1'000'000;
 constexpr std::int64_t kAhead_us = 10'000;  // one interval of joint states: what a picture may be ahead of the newest
+constexpr std::int64_t kGap_us = 300'000;   // without a joint state for so long, the arm may have been moved unseen
 constexpr double kLeapFactor = 2.0;         // of the servo's own speed
 constexpr double kLeapAllowance = 0.1;      // rad, for samples that share a time stamp
 
@@ -23,7 +24,8 @@ bool JointHistory::add(const JointSample& sample, const JointVector& max_speed) 
   if (!samples_.empty()) {
     const JointSample& last = samples_.back();
     if (sample.session == last.session && sample.utime == last.utime) return false;
-    anew = sample.session != last.session || sample.utime < last.utime || is_leap(last, sample, max_speed);
+    anew = sample.session != last.session || sample.utime < last.utime || sample.utime > last.utime + kGap_us ||
+           is_leap(last, sample, max_speed);
     if (anew) samples_.clear();
   }
   samples_.push_back(sample);

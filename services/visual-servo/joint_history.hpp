@@ -12,8 +12,8 @@ namespace markservo::visual_servo {
 
 class JointHistory {
  public:
-  // Adds a sample. A new writer, a clock that went back, or a leap that no servo can make (`max_speed`, rad/s per
-  // joint) starts the history anew and returns true: what was commanded before no longer holds.
+  // Adds a sample. A new writer, a clock that went back, a gap of more than 0.3 s, or a leap that no servo can make
+  // (`max_speed`, rad/s per joint) starts the history anew and returns true: what was commanded before no longer holds.
   bool add(const JointSample& sample, const JointVector& max_speed);
 
   bool empty() const { return samples_.empty(); }

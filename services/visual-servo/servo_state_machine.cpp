@@ -91,7 +91,10 @@ bool ServoStateMachine::observe(const Goal& goal, State& state) const {
 void ServoStateMachine::observe_stop(bool latched, const std::string& reason, State& state) const {
   state.stop_latched = latched;
   state.stop_reason = reason;
-  if (!latched || !state.goal) return;
+  if (!latched) return;
+  // Even if the reset comes before the next picture: what was commanded before the stop must not be resumed.
+  state.adopt_joints = true;
+  if (!state.goal) return;
   state.dropped[state.goal->session] = state.goal->id;
   state.goal.reset();
 }

@@ -244,6 +244,27 @@ TEST_F(ServoStates, AnArmThatWasPutElsewhereIsNotPulledBack) {
   EXPECT_EQ(frame().command->position, elsewhere);
 }
 
+TEST_F(ServoStates, AStopAndResetBetweenTwoPicturesBeginFromWhereTheArmIs) {
+  frames(5);
+  const JointVector near_by = start_ + JointVector(0.05, 0.05, -0.05);  // less than a leap
+  arm_.place(near_by, p_CT_);
+  machine_.observe_stop(true, "", state_);
+  machine_.observe_stop(false, "", state_);
+  EXPECT_EQ(frame().command->position, near_by);
+}
+
+TEST(JointHistory, AfterAGapTheArmMayHaveBeenMovedUnseen) {
+  const JointVector speed = JointVector::Constant(5.0);
+  JointHistory history;
+  JointSample sample;
+  sample.utime = 1'000'000;
+  EXPECT_FALSE(history.add(sample, speed));
+  sample.utime += 10'000;
+  EXPECT_FALSE(history.add(sample, speed));
+  sample.utime += 1'000'000;
+  EXPECT_TRUE(history.add(sample, speed));
+}
+
 TEST_F(ServoStates, AnArmThatDoesNotFollowIsNotLeftBehind) {
   machine_.observe(posture_goal({1.2, 1.0, -1.0}), state_);
   Output output;
