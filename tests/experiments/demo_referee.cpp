@@ -169,8 +169,9 @@ struct Course {
 };
 
 bool ended(const TaskState& state, bool carry) {
-  if (state.state == TaskState::DONE || state.state == TaskState::REFUSED || state.state == TaskState::FAILED ||
-      state.state == TaskState::STOPPED) {
+  // IDLE after START: task-manager was restarted and knows of no task.
+  if (state.state == TaskState::IDLE || state.state == TaskState::DONE || state.state == TaskState::REFUSED ||
+      state.state == TaskState::FAILED || state.state == TaskState::STOPPED) {
     return true;
   }
   return !carry && state.state == TaskState::HOLD_LIFTED;
