@@ -200,7 +200,7 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
   set_gripper(goal, state);
   switch (goal.kind) {
     case GoalKind::kPosture:
-      move_to_posture(pose, state, status);
+      move_to_posture(state, status);
       break;
     case GoalKind::kServo:
       servo(pose, state, status);
@@ -253,7 +253,7 @@ void ServoStateMachine::move(const JointVector& step, bool at_once, bool streami
   state.command.speed_limit = at_once ? servo_speed_ : JointVector(slower.cwiseMin(servo_speed_));
 }
 
-void ServoStateMachine::move_to_posture(const PoseSample& pose, State& state, Status& status) const {
+void ServoStateMachine::move_to_posture(State& state, Status& status) const {
   const Goal& goal = *state.goal;
   const JointVector q_goal(goal.position[0], goal.position[1], goal.position[2]);
   status.state = ServoState::kPosture;
@@ -266,7 +266,6 @@ void ServoStateMachine::move_to_posture(const PoseSample& pose, State& state, St
       at_rest_since(parameters_.sight.settling, state.joints, state.command.position, state.command_utime);
   status.settled = step.isZero() && rest &&
                    seconds_between(*rest, state.joints.newest().utime) >= parameters_.sight.settling.settle_time;
-  (void)pose;
 }
 
 void ServoStateMachine::servo(const PoseSample& pose, State& state, Status& status) const {

@@ -81,7 +81,7 @@ class ServoStateMachine {
   void hold(State& state) const;
   void slow_down(State& state) const;
   void move(const JointVector& step, bool at_once, bool streaming, State& state, Status& status) const;
-  void move_to_posture(const PoseSample& pose, State& state, Status& status) const;
+  void move_to_posture(State& state, Status& status) const;
   void servo(const PoseSample& pose, State& state, Status& status) const;
   void servo_resolved_rate(const PoseSample& pose, const MarkSample& hand, State& state, Status& status) const;
   void servo_paper(const PoseSample& pose, const MarkSample& hand, State& state, Status& status) const;
