@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
 #include <lcm/lcm-cpp.hpp>
 #include <map>
 #include <markservo/SimTruth.hpp>
@@ -77,6 +79,18 @@ TEST(Replay, OfARecordedLogThroughPerceptionIsTheSameTwice) {
     }
   }
   EXPECT_GE(located, 2 * kFrames) << "the books' marks";
+
+  // The example that users copy reads the same log.
+  ASSERT_EQ(run_through(folder, "mark-watcher", "poses-a.lcm", "nothing.lcm", {"--mark", "red_book"}), 0);
+  std::ifstream lines(folder.path("mark-watcher.log"));
+  int printed = 0;
+  for (std::string line; std::getline(lines, line);) {
+    double x = 0.0;
+    double y = 0.0;
+    double z = 0.0;
+    printed += std::sscanf(line.c_str(), "red_book x=%lf m y=%lf m z=%lf m", &x, &y, &z) == 3 ? 1 : 0;
+  }
+  EXPECT_EQ(printed, kFrames);
 }
 
 }  // namespace
