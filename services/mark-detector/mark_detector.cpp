@@ -178,6 +178,7 @@ void MarkDetector::cut_patches(const Input& input, std::vector<Finding>& finding
   const int height = input.left.height;
   const std::vector<std::size_t> order = by_importance(findings, width, height);
   std::vector<PatchRequest> requests;
+  requests.reserve(order.size());
   for (const std::size_t i : order) requests.push_back({findings[i].left.shape, findings[i].right.shape});
   const std::vector<int> scales = plan_scales(requests, parameters_.patch, width, height);
   for (std::size_t k = 0; k < order.size(); ++k) {

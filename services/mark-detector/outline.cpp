@@ -18,7 +18,7 @@ struct ColourSums {
     if (depth != Depth::kInside && depth != Depth::kOutside) return;
     const std::size_t first = depth == Depth::kInside ? kMarkCount : kRestCount;
     sum[first] += sign;
-    for (std::size_t c = 0; c < 3; ++c) sum[first + 1 + c] += sign * p[c];
+    for (std::size_t c = 0; c < 3; ++c) sum[first + 1 + c] += static_cast<int64_t>(sign) * p[c];
   }
   void add(const ColourSums& other, int sign) {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += sign * other.sum[i];

@@ -125,11 +125,11 @@ PlaneSeed find_seed(const MarkObservation& observation, const Views& views, cons
   const StereoPatch& patch = views.patch;
   PlaneSeed best;
   const auto of_masks = plane_of_masks(views.left_mask, patch.left_frame, views.right_mask, patch.right_frame);
-  if (of_masks) best = seed_plane(patch, inside, *of_masks, kNear, parameters.alignment);
+  if (of_masks) best = seed_plane(patch, inside, *of_masks, kNear, parameters.seed);
   if (best.correlation >= kAlike) return best;
   const double reach = 0.25 * std::max(observation.left.width, observation.right.width);
   const auto consider = [&](const DisparityPlane& guess) {
-    const PlaneSeed seed = seed_plane(patch, inside, guess, reach, parameters.alignment);
+    const PlaneSeed seed = seed_plane(patch, inside, guess, reach, parameters.seed);
     if (seed.correlation > best.correlation) best = seed;
   };
   if (of_masks) consider(*of_masks);
@@ -140,10 +140,11 @@ PlaneSeed find_seed(const MarkObservation& observation, const Views& views, cons
 Location locate_plane(const MarkObservation& observation, const geometry::StereoCamera& camera,
                       const LocatorParameters& parameters, Views& views) {
   Location location;
+  location.status = Status::kTooFewMatches;
+  if (static_cast<int>(views.features.size()) < parameters.min_matches) return location;
   StereoPatch& patch = views.patch;
   const Mask inside = erode(views.left_mask, kMaskMargin);
   const PlaneSeed seed = find_seed(observation, views, inside, parameters);
-  location.status = Status::kTooFewMatches;
   auto alignment = align_plane(patch, inside, seed.plane, parameters.alignment);
   constexpr double kWorthResampling = 0.2;  // px of row offset beyond which its linear model is poor
   if (alignment && std::abs(alignment->row_offset) > kWorthResampling &&

@@ -7,6 +7,7 @@
 #include "services/target-locator/paper_matching.hpp"
 #include "services/target-locator/patch_matching.hpp"
 #include "services/target-locator/plane_alignment.hpp"
+#include "services/target-locator/plane_seed.hpp"
 #include "services/target-locator/refinement.hpp"
 #include "services/target-locator/square_outline.hpp"
 
@@ -20,6 +21,7 @@ enum class Method {
 struct LocatorParameters {
   Method method = Method::kRefined;
   FeatureParameters features;
+  SeedParameters seed;
   AlignmentParameters alignment;
   RefinementParameters verification = {5, false, 3, 0.02, 1.0, 0.6};  // of a plane's features, from where it says
   OutlineParameters outline;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "services/target-locator/epipolar_rows.hpp"
+#include "services/target-locator/plane_template.hpp"
 
 namespace markservo::target_locator {
 namespace {
@@ -16,110 +16,6 @@ constexpr int kNumParameters = 6;
 using Vector6 = Eigen::Matrix<double, kNumParameters, 1>;
 using Matrix6 = Eigen::Matrix<double, kNumParameters, kNumParameters>;
 
-// The masked left pixels, in reading order.
-struct Template {
-  std::vector<float> column;   // patch px
-  std::vector<int> row;        // patch px
-  std::vector<float> along_u;  // from the centre, in half extents
-  std::vector<float> along_v;
-  std::vector<float> grey;
-  std::vector<float> gradient_u;  // Sobel's, per image px
-  std::vector<float> gradient_v;
-  std::vector<float> slope_u;  // plain central difference, per image px
-  std::vector<unsigned char> used;
-  double u0 = 0.0;
-  double v0 = 0.0;
-  double extent = 1.0;  // image px
-
-  std::size_t size() const { return column.size(); }
-};
-
-// Of the masked pixels every `step`-th, in reading order.
-Template make_template(const StereoPatch& patch, const Mask& mask, int step) {
-  Template t;
-  const PatchFrame& frame = patch.left_frame;
-  std::vector<int> columns;
-  const std::size_t room = mask.data.size() / static_cast<std::size_t>(step) + 1;
-  columns.reserve(room);
-  t.row.reserve(room);
-  int skip = 0;
-  for (int y = 0; y < mask.height; ++y) {
-    const unsigned char* inside = mask.row(y);
-    for (int x = 1; x + 1 < mask.width; ++x) {
-      if (inside[x] == 0) continue;
-      if (skip-- > 0) continue;
-      skip = step - 1;
-      columns.push_back(x);
-      t.row.push_back(y);
-    }
-  }
-  const std::size_t count = columns.size();
-  if (count == 0) return t;
-  double sum_x = 0.0;
-  double sum_y = 0.0;
-  double sum_squares = 0.0;
-  double sum_grey = 0.0;
-  for (auto* values : {&t.column, &t.grey, &t.gradient_u, &t.gradient_v, &t.slope_u, &t.along_u, &t.along_v}) {
-    values->resize(count);
-  }
-  t.used.assign(count, 1);
-  const auto inverse_scale = static_cast<float>(1.0 / frame.scale);
-  for (std::size_t i = 0; i < count; ++i) {
-    const int x = columns[i];
-    const int y = t.row[i];
-    const float* grey = patch.left.row(y) + x;
-    t.column[i] = static_cast<float>(x);
-    t.grey[i] = grey[0];
-    t.gradient_u[i] = patch.left_gradients.column.at(x, y) * inverse_scale;
-    t.gradient_v[i] = patch.left_gradients.row.at(x, y) * inverse_scale;
-    t.slope_u[i] = 0.5F * (grey[1] - grey[-1]) * inverse_scale;
-    sum_x += x;
-    sum_y += y;
-    sum_squares += static_cast<double>(x) * x + static_cast<double>(y) * y;
-    sum_grey += static_cast<double>(grey[0]);
-  }
-  const auto n = static_cast<double>(count);
-  const double cx = sum_x / n;
-  const double cy = sum_y / n;
-  const double spread = std::sqrt(std::max(1.0, sum_squares / n - cx * cx - cy * cy));
-  t.extent = spread * frame.scale;
-  t.u0 = frame.u_of(cx);
-  t.v0 = frame.v_of(cy);
-  // About its mean, so that gain and offset do not fight each other.
-  const auto mean_grey = static_cast<float>(sum_grey / n);
-  const auto middle_x = static_cast<float>(cx);
-  const auto middle_y = static_cast<float>(cy);
-  const auto unit = static_cast<float>(1.0 / spread);
-  for (std::size_t i = 0; i < count; ++i) {
-    t.grey[i] -= mean_grey;
-    t.along_u[i] = (t.column[i] - middle_x) * unit;
-    t.along_v[i] = (static_cast<float>(t.row[i]) - middle_y) * unit;
-  }
-  return t;
-}
-
-// Every how many of `mask`'s pixels leave at most `limit`.
-int step_for(const Mask& mask, int limit) {
-  const auto count = static_cast<int>(std::count(mask.data.begin(), mask.data.end(), 1));
-  return std::max(1, (count + limit - 1) / std::max(1, limit));
-}
-
-// The right view's grey value at every template pixel, for the disparity plane given by `p`.
-void warp(const StereoPatch& patch, const Template& t, const PlaneImage& right_rows, const Vector6& p,
-          std::vector<float>& warped) {
-  // column_right = (u_left - disparity - x_right + 0.5) / scale_right - 0.5, with u_left linear in the left column.
-  const double ratio = patch.left_frame.scale / patch.right_frame.scale;
-  const auto base = static_cast<float>(patch.right_frame.column_of(patch.left_frame.u_of(0.0) - p[0]));
-  const auto per_column = static_cast<float>(ratio);
-  const auto per_u = static_cast<float>(-p[1] / patch.right_frame.scale);
-  const auto per_v = static_cast<float>(-p[2] / patch.right_frame.scale);
-  warped.resize(t.size());
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    const float x = base + per_column * t.column[i] + per_u * t.along_u[i] + per_v * t.along_v[i];
-    warped[i] = sample_cubic(right_rows.row(t.row[i]), right_rows.width, x);
-  }
-}
-
 struct NormalMatrices {
   Matrix6 newton = Matrix6::Zero();       // derivative of the normal equations
   Matrix6 information = Matrix6::Zero();  // of their noise, times the residuals' variance
@@ -128,7 +24,7 @@ struct NormalMatrices {
 
 // Left factor Sobel's gradient (little noise), right factor the plain difference (the texture's true slope). They
 // differ in the three rows of the plane only.
-NormalMatrices normal_matrices(const Template& t) {
+NormalMatrices normal_matrices(const PlaneTemplate& t) {
   NormalMatrices sums;
   Eigen::Matrix<float, 6, 6> information = Eigen::Matrix<float, 6, 6>::Zero();
   Eigen::Matrix<float, 6, 3> cross = Eigen::Matrix<float, 6, 3>::Zero();
@@ -165,7 +61,7 @@ struct Residuals {
   double sum_of_squares = 0.0;
 };
 
-Residuals residuals(const Template& t, const std::vector<float>& warped, const Vector6& p,
+Residuals residuals(const PlaneTemplate& t, const std::vector<float>& warped, const Vector6& p,
                     std::vector<float>& residual) {
   Residuals sums;
   residual.resize(t.size());
@@ -210,89 +106,13 @@ double robust_sigma(std::vector<float> residual) {
   return 1.4826 * static_cast<double>(*middle);
 }
 
-double correlation_of(const Template& t, const std::vector<float>& warped) {
-  double n = 0.0;
-  double a = 0.0;
-  double b = 0.0;
-  double aa = 0.0;
-  double bb = 0.0;
-  double ab = 0.0;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    if (t.used[i] == 0) continue;
-    const auto l = static_cast<double>(t.grey[i]);
-    const auto r = static_cast<double>(warped[i]);
-    n += 1.0;
-    a += l;
-    b += r;
-    aa += l * l;
-    bb += r * r;
-    ab += l * r;
-  }
-  if (n < 2.0) return 0.0;
-  const double variance = (aa - a * a / n) * (bb - b * b / n);
-  return variance > 0.0 ? (ab - a * b / n) / std::sqrt(variance) : 0.0;
-}
-
-// Of the masked pixels, in the image: count, centroid (px) and second moments about it (px^2).
-struct MaskMoments {
-  double count = 0.0;
-  double u = 0.0;
-  double v = 0.0;
-  double uu = 0.0;
-  double uv = 0.0;
-  double vv = 0.0;
-};
-
-MaskMoments moments_of(const Mask& mask, const PatchFrame& frame) {
-  MaskMoments m;
-  for (int y = 0; y < mask.height; ++y) {
-    const unsigned char* line = mask.row(y);
-    int count = 0;
-    int first = 0;
-    for (int x = 0; x < mask.width; ++x) {
-      count += line[x];
-      first += line[x] * x;
-    }
-    m.count += count;
-    m.u += first;
-    m.v += static_cast<double>(count) * y;
-  }
-  if (!(m.count > 0.0)) return m;
-  const double cx = m.u / m.count;
-  const double cy = m.v / m.count;
-  for (int y = 0; y < mask.height; ++y) {
-    const unsigned char* line = mask.row(y);
-    float count = 0.0F;
-    float first = 0.0F;
-    float second = 0.0F;
-    for (int x = 0; x < mask.width; ++x) {
-      const float off = static_cast<float>(x) - static_cast<float>(cx);
-      const auto inside = static_cast<float>(line[x]);
-      count += inside;
-      first += inside * off;
-      second += inside * off * off;
-    }
-    const double dy = y - cy;
-    m.uu += static_cast<double>(second);
-    m.uv += static_cast<double>(first) * dy;
-    m.vv += static_cast<double>(count) * dy * dy;
-  }
-  const double unit = frame.scale * frame.scale / m.count;
-  m.uu *= unit;
-  m.uv *= unit;
-  m.vv *= unit;
-  m.u = frame.u_of(cx);
-  m.v = frame.v_of(cy);
-  return m;
-}
-
-Vector6 parameters_of(const DisparityPlane& plane, const Template& t) {
+Vector6 parameters_of(const DisparityPlane& plane, const PlaneTemplate& t) {
   Vector6 p;
   p << plane.at(t.u0, t.v0), plane.along_u * t.extent, plane.along_v * t.extent, 1.0, 0.0, 0.0;
   return p;
 }
 
-DisparityPlane plane_of(const Vector6& p, const Template& t) {
+DisparityPlane plane_of(const Vector6& p, const PlaneTemplate& t) {
   return {t.u0, t.v0, p[0], p[1] / t.extent, p[2] / t.extent};
 }
 
@@ -300,11 +120,11 @@ DisparityPlane plane_of(const Vector6& p, const Template& t) {
 class Fit {
  public:
   Fit(const StereoPatch& patch, const Mask& mask, int limit)
-      : patch_(patch), pixels_(make_template(patch, mask, step_for(mask, limit))) {
+      : patch_(patch), pixels_(make_template(patch, mask, limit)) {
     factorise();
   }
 
-  const Template& pixels() const { return pixels_; }
+  const PlaneTemplate& pixels() const { return pixels_; }
   const Vector6& parameters() const { return p_; }
   bool solvable() const { return solvable_; }
 
@@ -354,12 +174,12 @@ class Fit {
     solver_.compute(normal_.newton);
   }
   void evaluate() {
-    warp(patch_, pixels_, patch_.right_rows, p_, warped_);
+    warp(patch_, pixels_, plane_of(p_, pixels_), warped_);
     sums_ = residuals(pixels_, warped_, p_, residual_);
   }
 
   const StereoPatch& patch_;
-  Template pixels_;
+  PlaneTemplate pixels_;
   NormalMatrices normal_;
   Eigen::PartialPivLU<Matrix6> solver_;
   bool solvable_ = false;
@@ -370,54 +190,6 @@ class Fit {
 };
 
 }  // namespace
-
-std::optional<DisparityPlane> plane_of_masks(const Mask& left, const PatchFrame& left_frame, const Mask& right,
-                                             const PatchFrame& right_frame) {
-  const MaskMoments l = moments_of(left, left_frame);
-  const MaskMoments r = moments_of(right, right_frame);
-  if (!(l.count > 8.0) || !(r.count > 8.0) || !(l.vv > 0.5)) return std::nullopt;
-  // u_right = (1 - along_u) u - along_v v + constant, v_right = v.
-  const double left_width = l.uu - l.uv * l.uv / l.vv;
-  const double right_width = r.uu - r.uv * r.uv / l.vv;
-  if (!(left_width > 0.5) || !(right_width > 0.5)) return std::nullopt;
-  const double stretch = std::sqrt(right_width / left_width);
-  DisparityPlane plane;
-  plane.u0 = l.u;
-  plane.v0 = l.v;
-  plane.at_centre = l.u - r.u;
-  plane.along_u = 1.0 - stretch;
-  plane.along_v = (stretch * l.uv - r.uv) / l.vv;
-  constexpr double kSteepest = 1.0;  // px per px
-  if (!(std::abs(plane.along_u) < kSteepest) || !(std::abs(plane.along_v) < kSteepest)) return std::nullopt;
-  return plane;
-}
-
-PlaneSeed seed_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& guess, double reach,
-                     const AlignmentParameters& parameters) {
-  const Template t = make_template(patch, mask, step_for(mask, parameters.max_seed_pixels));
-  if (t.size() < 2 || patch.right_rows.width < 4) return {guess, -1.0};
-  const double step = patch.right_frame.scale;
-  const int steps = static_cast<int>(std::ceil(std::max(0.0, reach) / step));
-  std::vector<float> warped;
-  double best = -2.0;
-  double best_shift = 0.0;
-  Vector6 p = parameters_of(guess, t);
-  const double start = p[0];
-  // From the middle outwards, so that of equals the one nearest the guess wins.
-  for (int k = 0; k <= 2 * steps; ++k) {
-    const double shift = step * ((k % 2 == 0) ? k / 2 : -(k + 1) / 2);
-    p[0] = start + shift;
-    warp(patch, t, patch.right_rows, p, warped);
-    const double score = correlation_of(t, warped);
-    if (score > best) {
-      best = score;
-      best_shift = shift;
-    }
-  }
-  PlaneSeed seed{guess, best};
-  seed.plane.at_centre += best_shift;
-  return seed;
-}
 
 std::optional<PlaneAlignment> align_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& seed,
                                           const AlignmentParameters& parameters) {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "services/target-locator/features.hpp"
-#include "services/target-locator/plane_alignment.hpp"
+#include "services/target-locator/stereo_patch.hpp"
 
 namespace markservo::target_locator {
 

@@ -223,7 +223,7 @@ class PictureMode : public ::testing::Test {
       ::testing::internal::GetCapturedStdout();
       throw;
     }
-    const std::string text = ::testing::internal::GetCapturedStdout();
+    std::string text = ::testing::internal::GetCapturedStdout();
     EXPECT_EQ(exit_code, 0);
     return text;
   }

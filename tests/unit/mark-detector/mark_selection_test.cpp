@@ -100,6 +100,7 @@ TEST(Selection, DoesNotJudgeTheSizeOfWhatTheBorderCuts) {
 
 TEST(Selection, IsBoundedForManyBlobs) {
   std::vector<Blob> many;
+  many.reserve(1000);
   for (int i = 0; i < 1000; ++i) many.push_back(box(5 + 15 * (i % 40), 5 + 15 * (i / 40), 9, 9));
   const Selection selection = select_pair(many, many, context(), std::nullopt, {});
   ASSERT_TRUE(selection.left);

@@ -67,8 +67,7 @@ TEST(PatchPlan, AveragesDownOnlyAsFarAsTheLimitAsks) {
 
 TEST(PatchPlan, KeepsTheBudgetServesTheFirstBestAndTheLastToo) {
   const PatchParameters parameters;
-  std::vector<PatchRequest> requests;
-  for (int i = 0; i < 8; ++i) requests.push_back({box(300, 200, 90, 90), box(100, 200, 90, 90)});
+  const std::vector<PatchRequest> requests(8, {box(300, 200, 90, 90), box(100, 200, 90, 90)});
   const std::vector<int> scales = plan_scales(requests, parameters, 640, 480);
   int64_t bytes = 0;
   for (std::size_t i = 0; i < scales.size(); ++i) {
@@ -108,12 +107,12 @@ TEST(Patch, HasTheMaskAsBitsWithRowsOfWholeBytes) {
   const Region mark = make_region({{6, 10, 20}, {7, 10, 20}}, 1, 40, 20);
   const Patch patch = cut_patch(view_of(image), mark, {5, 5, 1, 18, 4});
   ASSERT_EQ(patch.mask.size(), 4U * 3U);
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 18; ++i) {
-      const int bit = (patch.mask[static_cast<std::size_t>(j * 3 + i / 8)] >> (i % 8)) & 1;
+  for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t i = 0; i < 18; ++i) {
+      const int bit = (patch.mask[j * 3 + i / 8] >> (i % 8)) & 1;
       EXPECT_EQ(bit == 1, (j == 1 || j == 2) && i >= 5 && i < 15) << i << " " << j;
     }
-    EXPECT_EQ(patch.mask[static_cast<std::size_t>(j * 3 + 2)] >> 2, 0) << "padding";
+    EXPECT_EQ(patch.mask[j * 3 + 2] >> 2, 0) << "padding";
   }
 }
 

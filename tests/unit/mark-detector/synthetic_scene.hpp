@@ -69,8 +69,10 @@ class Picture {
         int covered = 0;
         double light = 0.0;
         for (int k = 0; k < kSuper * kSuper; ++k) {
-          const double du = u - 0.5 + (k % kSuper + 0.5) / kSuper - square.u;
-          const double dv = v - 0.5 + (k / kSuper + 0.5) / kSuper - square.v;
+          const int row = k / kSuper;
+          const int column = k % kSuper;
+          const double du = u - 0.5 + (column + 0.5) / kSuper - square.u;
+          const double dv = v - 0.5 + (row + 0.5) / kSuper - square.v;
           const double along = c * du + s * dv;
           const double across = -s * du + c * dv;
           if (std::abs(along) > 0.5 * square.edge || std::abs(across) > 0.5 * square.edge) continue;

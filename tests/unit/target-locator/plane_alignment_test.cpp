@@ -6,7 +6,7 @@
 
 #include "services/target-locator/colour_projection.hpp"
 #include "services/target-locator/epipolar_rows.hpp"
-#include "services/target-locator/mark_centre.hpp"
+#include "services/target-locator/plane_seed.hpp"
 #include "services/target-locator/refinement.hpp"
 #include "tests/unit/target-locator/synthetic_mark.hpp"
 
