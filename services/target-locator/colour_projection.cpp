@@ -20,9 +20,9 @@ struct ColourSums {
   std::int64_t second[6] = {0, 0, 0, 0, 0, 0};  // bb, bg, br, gg, gr, rr
 
   void add(const std::uint8_t* bgr) {
-    const int b = bgr[0];
-    const int g = bgr[1];
-    const int r = bgr[2];
+    const std::int64_t b = bgr[0];
+    const std::int64_t g = bgr[1];
+    const std::int64_t r = bgr[2];
     ++count;
     first[0] += b;
     first[1] += g;

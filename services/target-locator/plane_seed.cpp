@@ -1,0 +1,114 @@
+#include "services/target-locator/plane_seed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "services/target-locator/plane_template.hpp"
+
+namespace markservo::target_locator {
+namespace {
+
+// Of the masked pixels, in the image: count, centroid (px) and second moments about it (px^2).
+struct MaskMoments {
+  double count = 0.0;
+  double u = 0.0;
+  double v = 0.0;
+  double uu = 0.0;
+  double uv = 0.0;
+  double vv = 0.0;
+};
+
+MaskMoments moments_of(const Mask& mask, const PatchFrame& frame) {
+  MaskMoments m;
+  for (int y = 0; y < mask.height; ++y) {
+    const unsigned char* line = mask.row(y);
+    int count = 0;
+    int first = 0;
+    for (int x = 0; x < mask.width; ++x) {
+      count += line[x];
+      first += line[x] * x;
+    }
+    m.count += count;
+    m.u += first;
+    m.v += static_cast<double>(count) * y;
+  }
+  if (!(m.count > 0.0)) return m;
+  const double cx = m.u / m.count;
+  const double cy = m.v / m.count;
+  for (int y = 0; y < mask.height; ++y) {
+    const unsigned char* line = mask.row(y);
+    float count = 0.0F;
+    float first = 0.0F;
+    float second = 0.0F;
+    for (int x = 0; x < mask.width; ++x) {
+      const float off = static_cast<float>(x) - static_cast<float>(cx);
+      const auto inside = static_cast<float>(line[x]);
+      count += inside;
+      first += inside * off;
+      second += inside * off * off;
+    }
+    const double dy = y - cy;
+    m.uu += static_cast<double>(second);
+    m.uv += static_cast<double>(first) * dy;
+    m.vv += static_cast<double>(count) * dy * dy;
+  }
+  const double unit = frame.scale * frame.scale / m.count;
+  m.uu *= unit;
+  m.uv *= unit;
+  m.vv *= unit;
+  m.u = frame.u_of(cx);
+  m.v = frame.v_of(cy);
+  return m;
+}
+
+}  // namespace
+
+std::optional<DisparityPlane> plane_of_masks(const Mask& left, const PatchFrame& left_frame, const Mask& right,
+                                             const PatchFrame& right_frame) {
+  const MaskMoments l = moments_of(left, left_frame);
+  const MaskMoments r = moments_of(right, right_frame);
+  if (!(l.count > 8.0) || !(r.count > 8.0) || !(l.vv > 0.5)) return std::nullopt;
+  // u_right = (1 - along_u) u - along_v v + constant, v_right = v.
+  const double left_width = l.uu - l.uv * l.uv / l.vv;
+  const double right_width = r.uu - r.uv * r.uv / l.vv;
+  if (!(left_width > 0.5) || !(right_width > 0.5)) return std::nullopt;
+  const double stretch = std::sqrt(right_width / left_width);
+  DisparityPlane plane;
+  plane.u0 = l.u;
+  plane.v0 = l.v;
+  plane.at_centre = l.u - r.u;
+  plane.along_u = 1.0 - stretch;
+  plane.along_v = (stretch * l.uv - r.uv) / l.vv;
+  constexpr double kSteepest = 1.0;  // px per px
+  if (!(std::abs(plane.along_u) < kSteepest) || !(std::abs(plane.along_v) < kSteepest)) return std::nullopt;
+  return plane;
+}
+
+PlaneSeed seed_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& guess, double reach,
+                     const SeedParameters& parameters) {
+  const PlaneTemplate t = make_template(patch, mask, parameters.max_pixels);
+  if (t.size() < 2 || patch.right_rows.width < 4) return {guess, -1.0};
+  const double step = patch.right_frame.scale;
+  const int steps = static_cast<int>(std::ceil(std::max(0.0, reach) / step));
+  std::vector<float> warped;
+  double best = -2.0;
+  double best_shift = 0.0;
+  // From the middle outwards, so that of equals the one nearest the guess wins.
+  for (int k = 0; k <= 2 * steps; ++k) {
+    const double shift = step * ((k % 2 == 0) ? k / 2 : -(k + 1) / 2);
+    DisparityPlane shifted = guess;
+    shifted.at_centre += shift;
+    warp(patch, t, shifted, warped);
+    const double score = correlation_of(t, warped);
+    if (score > best) {
+      best = score;
+      best_shift = shift;
+    }
+  }
+  PlaneSeed seed{guess, best};
+  seed.plane.at_centre += best_shift;
+  return seed;
+}
+
+}  // namespace markservo::target_locator
