@@ -1,6 +1,7 @@
 #include "common/bus/channel_counters.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace markservo::bus {
@@ -14,7 +15,7 @@ void LatencyWindow::add(double seconds) {
 double LatencyWindow::percentile(double share) const {
   if (count_ == 0) return 0.0;
   std::vector<double> sorted(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(count_));
-  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(count_ - 1) + 0.5);
+  const auto rank = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(count_ - 1)));
   std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
   return sorted[static_cast<std::size_t>(rank)];
 }

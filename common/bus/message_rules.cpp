@@ -55,7 +55,7 @@ std::string patch_violation(const MarkPatch& patch) {
     return patch.bgr_size == 0 && patch.mask_size == 0 ? "" : "patch of scale 0 carries pixels; allowed: none";
   }
   if (patch.scale < 0) return wrong("patch.scale", patch.scale, "0 or more");
-  if (const auto why = size_violation(patch.width, patch.height); !why.empty()) return "patch." + why;
+  if (auto why = size_violation(patch.width, patch.height); !why.empty()) return "patch." + why;
   if (patch.bgr_size != patch.width * patch.height * 3) {
     return wrong("patch.bgr_size", patch.bgr_size, "width * height * 3 bytes");
   }
@@ -99,8 +99,8 @@ std::string covariance_violation(const Covariance3& c) {
 }  // namespace
 
 std::string violation(const StereoFrame& frame) {
-  if (const auto why = size_violation(frame.width, frame.height); !why.empty()) return why;
-  if (const auto why = calibration_violation(frame.calibration); !why.empty()) return why;
+  if (auto why = size_violation(frame.width, frame.height); !why.empty()) return why;
+  if (auto why = calibration_violation(frame.calibration); !why.empty()) return why;
   if (frame.encoding == StereoFrame::ENCODING_BGR8) {
     const int64_t size = static_cast<int64_t>(frame.width) * frame.height * 3;
     if (frame.left_size != size) return wrong("left_size", frame.left_size, "width * height * 3 bytes for BGR8");
@@ -112,12 +112,12 @@ std::string violation(const StereoFrame& frame) {
 }
 
 std::string violation(const MarkDetection& detection) {
-  if (const auto why = size_violation(detection.width, detection.height); !why.empty()) return why;
-  if (const auto why = calibration_violation(detection.calibration); !why.empty()) return why;
+  if (auto why = size_violation(detection.width, detection.height); !why.empty()) return why;
+  if (auto why = calibration_violation(detection.calibration); !why.empty()) return why;
   for (const auto& mark : detection.marks) {
     if (!std::isfinite(mark.separability)) return not_finite("separability");
     for (const auto* view : {&mark.left, &mark.right}) {
-      if (const auto why = view_violation(*view); !why.empty()) return "mark " + mark.name + ": " + why;
+      if (auto why = view_violation(*view); !why.empty()) return "mark " + mark.name + ": " + why;
     }
   }
   return {};
@@ -126,7 +126,7 @@ std::string violation(const MarkDetection& detection) {
 std::string violation(const TargetPose& pose) {
   for (const auto& mark : pose.marks) {
     if (!finite(mark.p_C) || !finite(mark.normal_C)) return not_finite("a mark's position");
-    if (const auto why = covariance_violation(mark.covariance); !why.empty()) return "mark " + mark.name + ": " + why;
+    if (auto why = covariance_violation(mark.covariance); !why.empty()) return "mark " + mark.name + ": " + why;
   }
   return {};
 }
@@ -137,7 +137,7 @@ std::string violation(const ServoGoal& goal) {
   if (!all_finite({goal.tolerance, goal.speed}) || goal.tolerance < 0.0 || goal.speed < 0.0) {
     return wrong("tolerance or speed", goal.tolerance, "0 or more");
   }
-  if (const auto why = joints_violation(goal.num_joints, {&goal.position}); !why.empty()) return why;
+  if (auto why = joints_violation(goal.num_joints, {&goal.position}); !why.empty()) return why;
   return gripper_violation(goal.gripper_opening, goal.gripper_force);
 }
 
@@ -147,7 +147,7 @@ std::string violation(const ServoStatus& status) {
 }
 
 std::string violation(const JointCommand& command) {
-  if (const auto why = joints_violation(command.num_joints, {&command.position, &command.speed_limit}); !why.empty()) {
+  if (auto why = joints_violation(command.num_joints, {&command.position, &command.speed_limit}); !why.empty()) {
     return why;
   }
   for (const double speed : command.speed_limit) {
@@ -157,7 +157,7 @@ std::string violation(const JointCommand& command) {
 }
 
 std::string violation(const JointState& state) {
-  if (const auto why = joints_violation(state.num_joints, {&state.position, &state.speed}); !why.empty()) return why;
+  if (auto why = joints_violation(state.num_joints, {&state.position, &state.speed}); !why.empty()) return why;
   return gripper_violation(state.gripper_opening, 0.0);
 }
 

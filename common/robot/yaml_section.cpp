@@ -38,8 +38,8 @@ Allowed Allowed::between(double min, double max) {
   return {min, max, "a number from " + number_text(min) + " to " + number_text(max)};
 }
 
-YamlSection::YamlSection(std::string path, std::string prefix, YAML::Node node)
-    : path_(std::move(path)), prefix_(std::move(prefix)), node_(std::move(node)) {}
+YamlSection::YamlSection(std::string path, std::string prefix, const YAML::Node& node)
+    : path_(std::move(path)), prefix_(std::move(prefix)), node_(node) {}
 
 YamlSection YamlSection::load(const std::string& path) {
   YAML::Node root;
@@ -111,7 +111,7 @@ std::string YamlSection::text(const std::string& key) {
 }
 
 std::string YamlSection::one_of(const std::string& key, const std::vector<std::string>& choices) {
-  const std::string value = text(key);
+  std::string value = text(key);
   std::string words;
   for (const auto& choice : choices) {
     if (value == choice) return value;

@@ -45,7 +45,7 @@ class YamlSection {
   [[noreturn]] void fail(const std::string& key, const std::string& value, const std::string& allowed) const;
 
  private:
-  YamlSection(std::string path, std::string prefix, YAML::Node node);
+  YamlSection(std::string path, std::string prefix, const YAML::Node& node);
   YAML::Node required(const std::string& key);
   std::string full(const std::string& key) const;
   double to_number(const YAML::Node& node, const std::string& key, const Allowed& allowed) const;

@@ -21,6 +21,7 @@ int exit_code(int status) {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log_file) {
   std::vector<char*> argv;
+  argv.reserve(command.size() + 1);
   for (const auto& word : command) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   if (access(command.at(0).c_str(), X_OK) != 0) throw std::runtime_error(command[0] + ": cannot be executed");

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -20,7 +21,7 @@ class ProgressBar {
     if (!terminal && tenth == shown_tenth_ && done_ != total_) return;
     shown_tenth_ = tenth;
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    const int left = static_cast<int>(elapsed / done_ * (total_ - done_) + 0.5);
+    const int left = static_cast<int>(std::lround(elapsed / done_ * (total_ - done_)));  // s
     const int filled = done_ * kWidth / total_;
     const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                             std::string(static_cast<std::size_t>(kWidth - filled), '.');
