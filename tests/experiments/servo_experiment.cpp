@@ -10,6 +10,7 @@
 #include <random>
 
 #include "common/robot/arm_kinematics.hpp"
+#include "common/robot/workspace.hpp"
 #include "tests/experiments/experiment.hpp"
 #include "tests/experiments/progress_bar.hpp"
 #include "tests/experiments/rig.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 // The hand ends before the spines, so that a law that misses pushes no book.
 const Eigen::Vector3d kGoalFromTarget(0.0, -0.035, -0.052);  // m, axes of C
+constexpr double kMarkHeight = 0.032;                        // m, above the lenses
 constexpr double kStartDistance = 0.15;                      // m
 constexpr double kTolerance = 0.001;                         // m
 constexpr int kMaxFrames = 240;                              // 8 s at 30 Hz: not converged counts as that many
@@ -46,37 +48,39 @@ struct Trial {
   double final_error = 0.0;  // m, true grip point from the true goal
 };
 
-bool hand_in_view(const robot::RobotDescription& robot, const robot::JointVector& q, double size) {
+// True if both cameras see the whole hand mark, and the whole target mark above it: what is seen at both ends of a
+// straight way is seen along it.
+bool both_marks_in_view(const robot::RobotDescription& robot, const robot::JointVector& q, double hand_size,
+                        const Eigen::Vector3d& p_CT, double target_size) {
   const Eigen::Isometry3d X_CM = robot::hand_mark_pose(*robot.arm, q);
-  for (const double x : {-0.5, 0.5}) {
-    for (const double z : {-0.5, 0.5}) {
-      const auto point = geometry::project(robot.cameras.stereo, X_CM * Eigen::Vector3d(x * size, 0.0, z * size));
-      if (!point) return false;
-      for (const double u : {point->u_left, point->u_right}) {
-        if (u < kViewMargin_px || u > robot.cameras.width - 1 - kViewMargin_px) return false;
-      }
-      if (point->v < kViewMargin_px || point->v > robot.cameras.height - 1 - kViewMargin_px) return false;
-    }
-  }
-  return true;
+  Eigen::Isometry3d X_CT = Eigen::Isometry3d::Identity();
+  X_CT.translation() = p_CT;
+  constexpr double kPlate = 1.5;  // the hand mark's plate, of the mark's edge
+  const double hand_top = (X_CM.translation().z() + 0.5 * kPlate * hand_size) / X_CM.translation().y();
+  const double target_bottom = (p_CT.z() - 0.5 * target_size) / p_CT.y();
+  return hand_top < target_bottom && robot::view_margin_px(robot.cameras, X_CM, hand_size) >= kViewMargin_px &&
+         robot::view_margin_px(robot.cameras, X_CT, target_size) >= kViewMargin_px;
 }
 
-// A start 15 cm from the goal, at which the arm can be and the hand's mark is seen by both cameras. What both see is
-// convex, so that the straight way is seen as well; 15 cm fit into it only towards far books.
-Start draw_start(const robot::RobotDescription& robot, double hand_size, std::mt19937& random) {
+// A start 15 cm from the goal, at which the arm can be and both cameras see both marks; 15 cm fit into what both see
+// only towards far books.
+Start draw_start(const robot::RobotDescription& robot, double hand_size, double target_size, std::mt19937& random) {
   std::uniform_real_distribution<double> book_x(-0.04, 0.11);
   std::uniform_real_distribution<double> book_y(0.28, 0.335);
   std::normal_distribution<double> normal;
   for (int tries = 0; tries < 1000000; ++tries) {
     const Eigen::Vector2d book(book_x(random), book_y(random));
-    const Eigen::Vector3d p_CG_goal = Eigen::Vector3d(book.x(), book.y(), 0.032) + kGoalFromTarget;
+    const Eigen::Vector3d p_CT(book.x(), book.y(), kMarkHeight);
+    const Eigen::Vector3d p_CG_goal = p_CT + kGoalFromTarget;
     const double margin = robot.workspace.joint_margin;
     const auto goal = robot::inverse_kinematics(*robot.arm, p_CG_goal, margin);
-    if (goal.status != robot::ReachStatus::kReachable || !hand_in_view(robot, goal.q, hand_size)) continue;
+    if (goal.status != robot::ReachStatus::kReachable) continue;
+    if (!both_marks_in_view(robot, goal.q, hand_size, p_CT, target_size)) continue;
     const Eigen::Vector3d away = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
     if (away.y() > 0.0) continue;  // towards the books
     const auto start = robot::inverse_kinematics(*robot.arm, p_CG_goal + kStartDistance * away, margin);
-    if (start.status != robot::ReachStatus::kReachable || !hand_in_view(robot, start.q, hand_size)) continue;
+    if (start.status != robot::ReachStatus::kReachable) continue;
+    if (!both_marks_in_view(robot, start.q, hand_size, p_CT, target_size)) continue;
     return {book, start.q};
   }
   throw std::runtime_error("no start 15 cm from a goal with the hand in view; is robot.yaml's geometry sound?");
@@ -140,7 +144,8 @@ const robot::MarkDescription& mark_of_role(const robot::RobotDescription& robot,
 
 bool experiment(const ExperimentOptions& options, const std::vector<std::string>& laws) {
   const robot::RobotDescription robot = robot::load_robot_description(options.robot_file);
-  const std::string target = mark_of_role(robot, robot::MarkRole::kTarget).name;
+  const robot::MarkDescription& target_mark = mark_of_role(robot, robot::MarkRole::kTarget);
+  const std::string target = target_mark.name;
   const double hand_size = mark_of_role(robot, robot::MarkRole::kManipulator).size;
 
   Services services(options);
@@ -164,7 +169,7 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
         std::vector<double> errors;
         int converged = 0;
         for (int i = 0; i < options.trials; ++i) {
-          const Start start = draw_start(robot, hand_size, random);
+          const Start start = draw_start(robot, hand_size, target_mark.size, random);
           const Trial trial = run_trial(rig, robot, target, start, servos, delay, options.seed + i);
           frames.push_back(trial.frames);
           errors.push_back(trial.final_error);
