@@ -1,0 +1,167 @@
+#include "services/task-operator/dialogue.hpp"
+
+#include <array>
+#include <cstdio>
+#include <utility>
+
+namespace markservo::task_operator {
+namespace {
+
+bool under_way(Phase phase) {
+  return phase >= Phase::kLook && phase <= Phase::kGoHome;
+}
+
+std::string with_reason(const std::string& text, const std::string& reason) {
+  return reason.empty() ? text : text + ": " + reason;
+}
+
+std::string describe(const TaskReport& task) {
+  std::string text = name_of(task.phase);
+  if (!task.target.empty()) text += " " + task.target;
+  if (task.attempt > 1) text += " (attempt " + std::to_string(task.attempt) + ")";
+  return with_reason(text, task.reason);
+}
+
+std::string seconds(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g s", value);
+  return text.data();
+}
+
+std::string timed(double time, const std::string& text) {
+  std::array<char, 32> stamp{};
+  std::snprintf(stamp.data(), stamp.size(), "%7.2f s  ", time);
+  return stamp.data() + text;
+}
+
+}  // namespace
+
+const char* name_of(Phase phase) {
+  constexpr std::array<const char*, 16> kNames = {"idle",   "look",    "approach", "servo",   "grip",    "lift",
+                                                  "verify", "lift on", "carry",    "release", "go home", "lifted",
+                                                  "done",   "refused", "failed",   "stopped"};
+  return kNames.at(static_cast<std::size_t>(phase));
+}
+
+Dialogue::Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters)
+    : action_(action), stop_devices_(std::move(stop_devices)), parameters_(parameters), clear_(!moves()) {}
+
+void Dialogue::hear(const StopReport& report) {
+  for (const std::string& device : stop_devices_) {
+    if (device != report.device) continue;
+    const auto known = devices_.find(device);
+    const bool answered = known != devices_.end() && known->second.answers_us;
+    if (for_devices() && report.answers_us && !answered) {
+      lines_.push_back(device + (report.latched ? ": stopped" : ": released"));
+    }
+    // Another's later request does not take the answer back.
+    if (!answered || report.answers_us) devices_[device] = report;
+  }
+}
+
+void Dialogue::hear(const TaskReport& report, double now) {
+  task_ = report;
+  task_heard_ = now;
+  if (for_devices() || report.answers != Answers::kUs) return;
+  if (!task_answered_) followed_since_ = report.time;
+  task_answered_ = true;
+  const bool changed = !told_ || told_->phase != report.phase || told_->reason != report.reason ||
+                       told_->attempt != report.attempt || told_->target != report.target;
+  const bool ending_tells = moves() && !under_way(report.phase);
+  if (changed && !ending_tells) lines_.push_back(timed(report.time - followed_since_, describe(report)));
+  told_ = report;
+}
+
+Step Dialogue::step(double now) {
+  if (!began_) began_ = now;
+  Step step;
+  step.lines = std::exchange(lines_, {});
+  if (for_devices()) {
+    step.ending = devices_ending();
+  } else if (task_answered_) {
+    step.ending = task_ending();
+  } else if (!clear_ && silent_devices().empty() && task_) {
+    step.ending = obstacle();
+    clear_ = !step.ending;
+    began_ = now;
+  }
+  if (!step.ending) step.ending = silence(now);
+  if (!step.ending && clear_ && !task_answered_) send_if_due(now, step);
+  return step;
+}
+
+void Dialogue::send_if_due(double now, Step& step) {
+  step.send = !sent_ || now - *sent_ >= parameters_.repeat;
+  if (step.send) sent_ = now;
+}
+
+std::optional<Ending> Dialogue::devices_ending() const {
+  if (!silent_devices().empty()) return std::nullopt;
+  std::string others;
+  for (const auto& [name, device] : devices_) {
+    if (device.latched == (action_ == Action::kStop)) continue;
+    others += (others.empty() ? "" : "; ") +
+              with_reason(name + (device.latched ? " is still stopped" : " is not stopped"), device.reason);
+  }
+  if (!others.empty()) return Ending{kExitRefused, others};
+  return Ending{kExitReached, action_ == Action::kStop
+                                  ? "stopped: task-operator reset releases it"
+                                  : "released: nothing moves until it is told to (task-operator start or home)"};
+}
+
+// Why START or HOME must not be sent.
+std::optional<Ending> Dialogue::obstacle() const {
+  for (const auto& [name, device] : devices_) {
+    if (!device.latched) continue;
+    return Ending{kExitRefused,
+                  "stop is latched (" + with_reason(name, device.reason) + "): task-operator reset releases it"};
+  }
+  if (under_way(task_->phase)) {
+    return Ending{kExitRefused, "a task is under way (" + describe(*task_) + "): task-operator abort ends it"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Ending> Dialogue::task_ending() const {
+  if (action_ == Action::kAbort) return Ending{kExitReached, "no task is under way"};
+  if (task_->answers == Answers::kAnother) return Ending{kExitRefused, "another command took the task over"};
+  if (task_->answers == Answers::kNobody) return Ending{kExitRefused, "task-manager was restarted: the task is over"};
+  if (under_way(task_->phase)) return std::nullopt;
+  const bool reached = task_->phase == Phase::kHoldLifted || task_->phase == Phase::kDone;
+  if (!reached) return Ending{kExitRefused, describe(*task_)};
+  return Ending{kExitReached, timed(task_->time - followed_since_, describe(*task_))};
+}
+
+std::optional<Ending> Dialogue::silence(double now) const {
+  const auto too_long = [&](double since) { return now - since >= parameters_.patience; };
+  const std::string within = " within " + seconds(parameters_.patience);
+  constexpr const char* kHint = " (it speaks once an image pair: do cameras, detector, locator and servo run?)";
+  if (task_answered_) {
+    if (!too_long(*task_heard_)) return std::nullopt;
+    return Ending{kExitNoAnswer, "no answer from task-manager: no TASK_STATE any more" + within + kHint};
+  }
+  if (!too_long(*began_)) return std::nullopt;
+  const std::string silent = silent_devices();
+  if (for_devices()) {
+    return Ending{kExitNoAnswer, "no answer from " + silent + within +
+                                     (action_ == Action::kStop ? ": take its power away" : ": is its driver running?")};
+  }
+  if (moves() && !silent.empty()) {
+    return Ending{kExitNoAnswer, "no answer from " + silent + ": no STOP_STATE" + within + ": is its driver running?"};
+  }
+  if (!task_) return Ending{kExitNoAnswer, "no answer from task-manager: no TASK_STATE" + within + kHint};
+  return Ending{kExitNoAnswer, "no answer from task-manager: TASK_STATE does not echo the command" + within};
+}
+
+// The stop devices that have not said what is waited for; empty when all have.
+std::string Dialogue::silent_devices() const {
+  std::string names;
+  for (const std::string& name : stop_devices_) {
+    const auto found = devices_.find(name);
+    const bool spoke = found != devices_.end() && (!for_devices() || found->second.answers_us);
+    if (!spoke) names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
+}  // namespace markservo::task_operator

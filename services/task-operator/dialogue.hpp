@@ -1,0 +1,117 @@
+#pragma once
+
+// What an operator's wish is, until the robot has answered it: when to send, what to tell, how it ended. Times are
+// seconds of any steady clock.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace markservo::task_operator {
+
+enum class Action { kStart, kAbort, kHome, kStop, kReset };
+
+// As TaskState.lcm numbers them.
+enum class Phase {
+  kIdle,
+  kLook,
+  kApproach,
+  kServo,
+  kGrip,
+  kLift,
+  kVerify,
+  kLiftOn,
+  kCarry,
+  kRelease,
+  kGoHome,
+  kHoldLifted,
+  kDone,
+  kRefused,
+  kFailed,
+  kStopped,
+};
+
+// A word for a person: "look", "lift on", "lifted", ...
+const char* name_of(Phase phase);
+
+// What STOP_STATE says of one device.
+struct StopReport {
+  std::string device;
+  bool latched = false;
+  bool answers_us = false;  // the last request it obeyed is ours
+  std::string reason;
+};
+
+enum class Answers { kNobody, kUs, kAnother };
+
+// What TASK_STATE says.
+struct TaskReport {
+  double time = 0.0;                   // s, of the message
+  Answers answers = Answers::kNobody;  // whose command was executed last
+  Phase phase = Phase::kIdle;
+  int attempt = 0;
+  std::string target;
+  std::string reason;
+};
+
+inline constexpr int kExitReached = 0;   // lifted, done, home, aborted, stopped, reset
+inline constexpr int kExitRefused = 1;   // refused, failed or stopped: the line says why
+inline constexpr int kExitNoAnswer = 4;  // the line says who
+
+struct Ending {
+  int exit_code = kExitReached;
+  std::string line;
+};
+
+struct Step {
+  bool send = false;               // the request, now
+  std::vector<std::string> lines;  // to print
+  std::optional<Ending> ending;
+};
+
+struct Parameters {
+  double patience = 5.0;  // s without an answer; devices and task speak at 5 Hz or more
+  double repeat = 0.2;    // s between two sendings: LCM may lose one
+};
+
+// STOP and its reset are sent at once, until every stop device has answered; ABORT at once, until the task has. START
+// and HOME wait until stop devices and task have spoken, are not sent while a stop is latched or a task is under way,
+// and are followed until the task ends.
+class Dialogue {
+ public:
+  Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters = {});
+
+  void hear(const StopReport& report);
+  void hear(const TaskReport& report, double now);
+
+  // What to do at `now`; to be called every 0.1 s or oftener, and no more after an ending.
+  Step step(double now);
+
+ private:
+  bool for_devices() const { return action_ == Action::kStop || action_ == Action::kReset; }
+  bool moves() const { return action_ == Action::kStart || action_ == Action::kHome; }
+  std::optional<Ending> devices_ending() const;
+  std::optional<Ending> obstacle() const;
+  std::optional<Ending> task_ending() const;
+  std::optional<Ending> silence(double now) const;
+  std::string silent_devices() const;
+  void send_if_due(double now, Step& step);
+
+  Action action_;
+  std::vector<std::string> stop_devices_;
+  Parameters parameters_;
+
+  std::map<std::string, StopReport> devices_;
+  std::optional<TaskReport> task_;
+  std::optional<double> task_heard_;  // when
+  std::optional<TaskReport> told_;    // of the task that answers us
+  double followed_since_ = 0.0;       // s of the messages
+  bool clear_ = false;                // nothing is in the request's way
+  bool task_answered_ = false;
+  std::optional<double> began_;  // the current wait
+  std::optional<double> sent_;
+  std::vector<std::string> lines_;  // to print at the next step
+};
+
+}  // namespace markservo::task_operator

@@ -1,0 +1,145 @@
+#include "services/task-operator/task_operator_node.hpp"
+
+#include <chrono>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+
+#include "common/robot/configuration_error.hpp"
+#include "common/robot/robot_description.hpp"
+
+namespace markservo::task_operator {
+namespace {
+
+static_assert(static_cast<int>(Phase::kLook) == TaskState::LOOK && static_cast<int>(Phase::kGoHome) == 10 &&
+                  static_cast<int>(Phase::kStopped) == TaskState::STOPPED,
+              "phases as TaskState.lcm numbers them");
+
+constexpr std::int64_t kRequest = 1;  // the only one of this program's session
+
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string targets_of(const robot::RobotDescription& robot) {
+  std::string names;
+  for (const auto& mark : robot.marks) {
+    if (mark.role == robot::MarkRole::kTarget) names += (names.empty() ? "" : ", ") + mark.name;
+  }
+  return names;
+}
+
+}  // namespace
+
+void TaskOperatorNode::add_options(CLI::App& app) {
+  const std::map<std::string, Action> actions{{"start", Action::kStart},
+                                              {"abort", Action::kAbort},
+                                              {"home", Action::kHome},
+                                              {"stop", Action::kStop},
+                                              {"reset", Action::kReset}};
+  app.add_option("ACTION", action_,
+                 "start: take --target, and tell how it goes; abort: hold where the arm is; home: back to the home "
+                 "posture; stop: nothing moves until reset; reset: release the stop, and move nothing")
+      ->required()
+      ->configurable(false)
+      ->transform(CLI::CheckedTransformer(actions).description("start|abort|home|stop|reset"));
+  app.add_option("--target", target_, "start: whose mark to take");
+  app.add_flag("--carry", carry_, "start: carry the object to the side, release it there and go home");
+  app.add_option("--source", source_, "stop, reset: who asks, for the logs")->capture_default_str();
+  app.add_option("--patience", parameters_.patience, "How long to wait for an answer, s")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.footer(
+      "Exit codes: 0 lifted, done, stopped or released; 1 refused, failed or stopped, and why; 2 bad "
+      "configuration; 3 no bus; 4 no answer, and from whom.");
+}
+
+void TaskOperatorNode::configure(const std::string& robot_file) {
+  const robot::RobotDescription robot = robot::load_robot_description(robot_file);
+  if (robot.stop_devices.empty()) {
+    throw ConfigurationError(robot_file + ": stop_devices is empty; allowed: what moves, so that it can be stopped");
+  }
+  if (action_ == Action::kStart) {
+    const robot::MarkDescription* mark = robot.find_mark(target_);
+    if (mark == nullptr || mark->role != robot::MarkRole::kTarget) {
+      throw ConfigurationError("--target is '" + target_ + "'; allowed: " + targets_of(robot) + " (" + robot_file +
+                               ")");
+    }
+  } else if (!target_.empty() || carry_) {
+    throw ConfigurationError("--target or --carry: without start; allowed: with start");
+  }
+  dialogue_.emplace(action_, robot.stop_devices, parameters_);
+}
+
+void TaskOperatorNode::start(bus::Bus& bus) {
+  bus_ = &bus;
+  stops_.emplace(bus.advertise<StopRequest>("STOP"));
+  commands_.emplace(bus.advertise<TaskCommand>("TASK_COMMAND"));
+  bus.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& state) { on_stop_state(state); });
+  bus.on_each<TaskState>("TASK_STATE", [this](const TaskState& state) { on_task_state(state); });
+}
+
+void TaskOperatorNode::on_stop_state(const StopState& state) {
+  StopReport report;
+  report.device = state.device;
+  report.latched = state.latched != 0;
+  report.answers_us = state.request_session == bus_->session() && state.request_id == kRequest;
+  report.reason = state.reason;
+  dialogue_->hear(report);
+}
+
+void TaskOperatorNode::on_task_state(const TaskState& state) {
+  if (state.state < TaskState::IDLE || state.state > TaskState::STOPPED) {
+    throw std::invalid_argument("state is " + std::to_string(state.state) + "; allowed: 0 to 15");
+  }
+  TaskReport report;
+  report.time = 1e-6 * static_cast<double>(state.utime);
+  if (state.command_session == bus_->session() && state.command_id == kRequest) {
+    report.answers = Answers::kUs;
+  } else if (state.command_session != 0) {
+    report.answers = Answers::kAnother;
+  }
+  report.phase = static_cast<Phase>(state.state);
+  report.attempt = state.attempt;
+  report.target = state.target;
+  report.reason = state.reason;
+  dialogue_->hear(report, steady_seconds());
+}
+
+void TaskOperatorNode::send() {
+  if (action_ == Action::kStop || action_ == Action::kReset) {
+    StopRequest request{};
+    request.utime = bus_->newest_utime();
+    request.session = bus_->session();
+    request.request_id = kRequest;
+    request.kind = action_ == Action::kStop ? StopRequest::STOP : StopRequest::RESET;
+    request.source = source_;
+    request.reason = "asked by an operator";
+    stops_->publish(request);
+    return;
+  }
+  TaskCommand command{};
+  command.utime = bus_->newest_utime();
+  command.session = bus_->session();
+  command.command_id = kRequest;
+  command.kind = action_ == Action::kStart  ? TaskCommand::START
+                 : action_ == Action::kHome ? TaskCommand::HOME
+                                            : TaskCommand::ABORT;
+  command.target = target_;
+  command.carry = carry_ ? 1 : 0;
+  commands_->publish(command);
+}
+
+void TaskOperatorNode::run(bus::Bus& bus) {
+  do {
+    const Step step = dialogue_->step(steady_seconds());
+    if (step.send) send();
+    for (const std::string& line : step.lines) std::cout << line << std::endl;
+    if (!step.ending) continue;
+    exit_code_ = step.ending->exit_code;
+    (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ") << step.ending->line << std::endl;
+    return;
+  } while (bus.poll(std::chrono::milliseconds(50)));
+}
+
+}  // namespace markservo::task_operator

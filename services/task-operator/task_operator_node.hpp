@@ -1,0 +1,47 @@
+#pragma once
+
+// An operator's wish on the bus, sent until it is answered.
+//   in:  STOP_STATE, TASK_STATE
+//   out: STOP (stop, reset) or TASK_COMMAND (start, abort, home); lines of text
+
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
+#include <markservo/TaskCommand.hpp>
+#include <markservo/TaskState.hpp>
+#include <optional>
+#include <string>
+
+#include "common/bus/service.hpp"
+#include "services/task-operator/dialogue.hpp"
+
+namespace markservo::task_operator {
+
+class TaskOperatorNode : public bus::Service {
+ public:
+  void add_options(CLI::App& app) override;
+  void configure(const std::string& robot_file) override;
+  void start(bus::Bus& bus) override;
+  void run(bus::Bus& bus) override;
+
+  // How it ended; kExitReached while it has not.
+  int exit_code() const { return exit_code_; }
+
+ private:
+  void on_stop_state(const StopState& state);
+  void on_task_state(const TaskState& state);
+  void send();
+
+  Action action_ = Action::kStop;
+  std::string target_;
+  bool carry_ = false;
+  std::string source_ = "task-operator";
+  Parameters parameters_;
+
+  std::optional<Dialogue> dialogue_;
+  bus::Bus* bus_ = nullptr;
+  std::optional<bus::Publisher<StopRequest>> stops_;
+  std::optional<bus::Publisher<TaskCommand>> commands_;
+  int exit_code_ = kExitReached;
+};
+
+}  // namespace markservo::task_operator

@@ -1,0 +1,164 @@
+// The node on an in-process bus, answered by a stand-in for the robot.
+
+#include "services/task-operator/task_operator_node.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <vector>
+
+#include "common/robot/configuration_error.hpp"
+
+namespace markservo::task_operator {
+namespace {
+
+const std::string kRobotFile = std::string(MARKSERVO_SOURCE_DIR) + "/config/robot.yaml";
+
+class OperatorOnABus : public ::testing::Test {
+ protected:
+  OperatorOnABus()
+      : bus_(in_process()),
+        stop_states_(bus_.advertise<StopState>("STOP_STATE")),
+        task_states_(bus_.advertise<TaskState>("TASK_STATE")) {
+    bus_.on_each_from_many<StopRequest>("STOP", [this](const StopRequest& request) { answer(request); });
+    bus_.on_each_from_many<TaskCommand>("TASK_COMMAND", [this](const TaskCommand& command) { answer(command); });
+    bus_.every(std::chrono::milliseconds(20), [this] { speak(); });
+    bus_.every(std::chrono::seconds(60), [this] { bus_.stop(); });  // only a failure waits so long
+  }
+
+  // The exit code of `task-operator WORDS`.
+  int run(std::vector<std::string> words) {
+    CLI::App app;
+    TaskOperatorNode node;
+    node.add_options(app);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    node.configure(kRobotFile);
+    node.start(bus_);
+    node.run(bus_);
+    return node.exit_code();
+  }
+
+  bool latched_ = true;
+  int deaf_to_ = 0;  // requests that get lost
+  bool obeys_ = true;
+  std::vector<int8_t> procedure_;  // states that follow one after the other once a command came
+  std::vector<StopRequest> requests_;
+  std::vector<TaskCommand> commands_;
+
+ private:
+  static bus::BusParameters in_process() {
+    bus::BusParameters parameters;
+    parameters.urls = {"memq://", "memq://"};
+    parameters.service_name = "task-operator";
+    parameters.heartbeat = false;
+    return parameters;
+  }
+
+  void answer(const StopRequest& request) {
+    requests_.push_back(request);
+    if (deaf_to_-- > 0 || !obeys_) return;
+    stop_.request_session = request.session;
+    stop_.request_id = request.request_id;
+    latched_ = request.kind == StopRequest::STOP;
+  }
+  void answer(const TaskCommand& command) {
+    commands_.push_back(command);
+    if (deaf_to_-- > 0) return;
+    task_.command_session = command.session;
+    task_.command_id = command.command_id;
+    task_.target = command.target;
+  }
+  void speak() {
+    utime_ += 20'000;
+    stop_.utime = task_.utime = utime_;
+    stop_.device = "arm";
+    stop_.latched = latched_ ? 1 : 0;
+    stop_states_.publish(stop_);
+    if (task_.command_session != 0 && !procedure_.empty()) {
+      task_.state = procedure_.front();
+      if (procedure_.size() > 1) procedure_.erase(procedure_.begin());
+    }
+    task_states_.publish(task_);
+  }
+
+  bus::Bus bus_;
+  bus::Publisher<StopState> stop_states_;
+  bus::Publisher<TaskState> task_states_;
+  StopState stop_{};
+  TaskState task_{};
+  int64_t utime_ = 1'000'000;
+};
+
+TEST_F(OperatorOnABus, StopLatchesTheArmAndSaysWhoAsked) {
+  latched_ = false;
+  EXPECT_EQ(run({"stop", "--source", "a person"}), kExitReached);
+  EXPECT_TRUE(latched_);
+  ASSERT_FALSE(requests_.empty());
+  EXPECT_EQ(requests_[0].kind, StopRequest::STOP);
+  EXPECT_EQ(requests_[0].source, "a person");
+}
+
+TEST_F(OperatorOnABus, ALostResetIsSentAgainAsTheSameRequest) {
+  deaf_to_ = 2;
+  EXPECT_EQ(run({"reset"}), kExitReached);
+  EXPECT_FALSE(latched_);
+  ASSERT_GE(requests_.size(), 3U);
+  EXPECT_EQ(requests_[2].kind, StopRequest::RESET);
+  EXPECT_EQ(requests_[2].session, requests_[0].session);
+  EXPECT_EQ(requests_[2].request_id, requests_[0].request_id);
+}
+
+TEST_F(OperatorOnABus, StartSendsTheTargetAndFollowsTheTaskToItsEnd) {
+  latched_ = false;
+  deaf_to_ = 1;
+  procedure_ = {TaskState::LOOK, TaskState::SERVO, TaskState::CARRY, TaskState::DONE};
+  EXPECT_EQ(run({"start", "--target", "blue_book", "--carry"}), kExitReached);
+  ASSERT_GE(commands_.size(), 2U);
+  EXPECT_EQ(commands_[0].kind, TaskCommand::START);
+  EXPECT_EQ(commands_[0].target, "blue_book");
+  EXPECT_TRUE(commands_[0].carry);
+  EXPECT_EQ(commands_[1].command_id, commands_[0].command_id);
+}
+
+TEST_F(OperatorOnABus, AFailedTaskIsExitCodeOne) {
+  latched_ = false;
+  procedure_ = {TaskState::LOOK, TaskState::FAILED};
+  EXPECT_EQ(run({"start", "--target", "red_book"}), kExitRefused);
+}
+
+TEST_F(OperatorOnABus, StartReleasesNoStop) {
+  EXPECT_EQ(run({"start", "--target", "red_book"}), kExitRefused);
+  EXPECT_TRUE(latched_);
+  EXPECT_TRUE(commands_.empty());
+  EXPECT_TRUE(requests_.empty());
+}
+
+TEST_F(OperatorOnABus, AnArmThatDoesNotObeyIsExitCodeFour) {
+  obeys_ = false;
+  EXPECT_EQ(run({"stop", "--patience", "0.3"}), kExitNoAnswer);
+}
+
+TEST_F(OperatorOnABus, HomeSendsItsKind) {
+  latched_ = false;
+  procedure_ = {TaskState::GO_HOME, TaskState::DONE};
+  EXPECT_EQ(run({"home"}), kExitReached);
+  ASSERT_FALSE(commands_.empty());
+  EXPECT_EQ(commands_[0].kind, TaskCommand::HOME);
+}
+
+TEST_F(OperatorOnABus, AbortSendsItsKind) {
+  procedure_ = {TaskState::STOPPED};
+  EXPECT_EQ(run({"abort"}), kExitReached);
+  ASSERT_FALSE(commands_.empty());
+  EXPECT_EQ(commands_[0].kind, TaskCommand::ABORT);
+}
+
+TEST_F(OperatorOnABus, UnknownTargetsAndActionsAreRefusedBeforeAnythingIsSent) {
+  EXPECT_THROW(run({"start"}), ConfigurationError);
+  EXPECT_THROW(run({"start", "--target", "hand"}), ConfigurationError);
+  EXPECT_THROW(run({"home", "--target", "red_book"}), ConfigurationError);
+  EXPECT_THROW(run({"jump"}), CLI::ValidationError);
+}
+
+}  // namespace
+}  // namespace markservo::task_operator
