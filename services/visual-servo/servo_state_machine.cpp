@@ -61,6 +61,8 @@ ServoStateMachine::ServoStateMachine(robot::RobotDescription robot, Parameters p
 bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
   if (!sample.position.allFinite() || !std::isfinite(sample.gripper_opening)) return false;
   if (state.joints.add(sample, servo_speed_)) state.adopt_joints = true;
+  const bool obeying = state.commanded && !state.adopt_joints && !state.stop_latched.value_or(true);
+  watch_gripper(sample, state.command.gripper_opening, state.gripper_utime, obeying, state.gripper);
   return true;
 }
 
@@ -89,12 +91,12 @@ bool ServoStateMachine::observe(const Goal& goal, State& state) const {
 }
 
 void ServoStateMachine::observe_stop(bool latched, const std::string& reason, State& state) const {
+  const bool was_latched = state.stop_latched.value_or(false);
   state.stop_latched = latched;
   state.stop_reason = reason;
-  if (!latched) return;
   // Even if the reset comes before the next picture: what was commanded before the stop must not be resumed.
-  state.adopt_joints = true;
-  if (!state.goal) return;
+  if (latched || was_latched) state.adopt_joints = true;
+  if (!latched || !state.goal) return;
   state.dropped[state.goal->session] = state.goal->id;
   state.goal.reset();
 }
@@ -113,12 +115,14 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
   }
   if (!state.commanded || state.adopt_joints) adopt_joints(state);
   const std::string stale = why_stale(pose, state);
-  advance_time(pose, state);
+  // One picture with an impossible time must not make all that follow look old.
+  if (stale.empty()) advance_time(pose, state);
 
   if (!state.stop_latched || *state.stop_latched) {
     hold(state);
     // A stopped arm rests short of its command: begin from there.
     if (state.joints.newest().position != state.command.position) adopt_joints(state);
+    adopt_gripper(state);
     status.state = ServoState::kStopped;
     status.reason = !state.stop_latched ? "no STOP_STATE of the arm yet" : state.stop_reason;
     if (status.reason.empty()) status.reason = "STOP is latched";
@@ -126,6 +130,12 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     hold(state);
     status.state = ServoState::kStale;
     status.reason = stale;
+  } else if (const std::string goal_stale = why_goal_is_stale(state); !goal_stale.empty()) {
+    state.sight.window.clear();
+    state.paper_frames = 0;
+    slow_down(state);
+    status.state = ServoState::kStale;
+    status.reason = goal_stale;
   } else {
     follow_goal(pose, state, status);
   }
@@ -154,12 +164,19 @@ void ServoStateMachine::adopt_joints(State& state) const {
   state.last_step.setZero();
   state.sight = SightState();
   state.paper_frames = 0;
-  if (state.commanded) return;
+  if (state.commanded) return adopt_gripper(state);
   state.commanded = true;
   state.command.speed_limit.setConstant(parameters_.posture.joint_speed);
   // Until a goal is learned the gripper stays as it is; one that holds something goes on pressing.
-  state.command.gripper_opening = now.contact ? 0.0 : std::clamp(now.gripper_opening, 0.0, arm_.gripper.opening_max);
+  set_opening(now.contact ? 0.0 : now.gripper_opening, state);
   state.command.gripper_force = arm_.gripper.force_max;
+}
+
+// The gripper stays as it is: one that was moving does not go on, one that presses goes on pressing.
+void ServoStateMachine::adopt_gripper(State& state) const {
+  const JointSample& now = state.joints.newest();
+  const bool holds = state.gripper.pressing || (now.contact && state.command.gripper_opening < now.gripper_opening);
+  if (!holds) set_opening(now.gripper_opening, state);
 }
 
 std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& state) const {
@@ -174,6 +191,12 @@ std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& st
     return "TARGET_POSE is not newer than the one before";
   }
   return "";
+}
+
+std::string ServoStateMachine::why_goal_is_stale(const State& state) const {
+  if (!state.goal) return "";
+  const double age = seconds_between(state.goal->utime, state.joints.newest().utime);
+  return age > parameters_.goal_age ? age_text("SERVO_GOAL is older than JOINT_STATE", age, parameters_.goal_age) : "";
 }
 
 void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status& status) const {
@@ -362,8 +385,15 @@ void ServoStateMachine::servo_paper(const PoseSample& pose, const MarkSample& ha
 }
 
 void ServoStateMachine::set_gripper(const Goal& goal, State& state) const {
-  state.command.gripper_opening = std::clamp(goal.gripper_opening, 0.0, arm_.gripper.opening_max);
+  set_opening(goal.gripper_opening, state);
   state.command.gripper_force = std::clamp(goal.gripper_force, 0.0, arm_.gripper.force_max);
+}
+
+void ServoStateMachine::set_opening(double opening, State& state) const {
+  const double allowed = std::clamp(opening, 0.0, arm_.gripper.opening_max);
+  if (allowed == state.command.gripper_opening) return;
+  state.command.gripper_opening = allowed;
+  state.gripper_utime = state.joints.newest().utime;
 }
 
 double ServoStateMachine::grip_speed_limit(const Goal& goal) const {

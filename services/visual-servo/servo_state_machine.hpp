@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "services/visual-servo/gripper_watch.hpp"
 #include "services/visual-servo/joint_history.hpp"
 #include "services/visual-servo/posture_motion.hpp"
 #include "services/visual-servo/servo_by_sight.hpp"
@@ -23,8 +24,11 @@ struct Parameters {
   SightParameters sight;
   PostureMotionParameters posture;
   StillTargetParameters target;
-  double pose_age = 0.2;        // s; a picture that is older than the joint states by more is not acted on
-  double joint_age = 0.3;       // s; likewise joint states that are older than the picture
+  double pose_age = 0.2;   // s; a picture that is older than the joint states by more is not acted on
+  double joint_age = 0.3;  // s; likewise joint states that are older than the picture
+  // s; a goal that was not repeated for longer in the joint states' time has lost its sender. It is repeated every 0.2
+  // s and bears the time of a picture, which may be pose_age old and come at intervals of up to 0.2 s.
+  double goal_age = 0.6;
   double follow_lead = 0.7;     // rad; a command farther ahead of the arm waits: 0.4 s at full speed and some play
   double lost_arm = 0.052;      // rad (3 degrees); an arm that rests so far from its command is taken where it is
   double hand_mismatch = 0.04;  // m between the hand mark and where the joints say it is: another thing was seen
@@ -47,6 +51,8 @@ struct State {
   bool adopt_joints = false;  // the command no longer belongs to this arm's state
   Command command;
   std::int64_t command_utime = 0;  // us, joints' clock, when command.position last changed
+  std::int64_t gripper_utime = 0;  // us, likewise command.gripper_opening
+  GripperWatch gripper;
 
   std::int64_t pose_utime = 0;
   std::int64_t frame_session = 0;
@@ -76,7 +82,9 @@ class ServoStateMachine {
  private:
   void advance_time(const PoseSample& pose, State& state) const;
   void adopt_joints(State& state) const;
+  void adopt_gripper(State& state) const;
   std::string why_stale(const PoseSample& pose, const State& state) const;
+  std::string why_goal_is_stale(const State& state) const;
   void follow_goal(const PoseSample& pose, State& state, Status& status) const;
   void hold(State& state) const;
   void slow_down(State& state) const;
@@ -86,6 +94,7 @@ class ServoStateMachine {
   void servo_resolved_rate(const PoseSample& pose, const MarkSample& hand, State& state, Status& status) const;
   void servo_paper(const PoseSample& pose, const MarkSample& hand, State& state, Status& status) const;
   void set_gripper(const Goal& goal, State& state) const;
+  void set_opening(double opening, State& state) const;
   double grip_speed_limit(const Goal& goal) const;
 
   robot::RobotDescription robot_;

@@ -69,6 +69,7 @@ void VisualServoNode::add_options(CLI::App& app) {
   count("--target-frames", parameters_.target.frames, "Averaged over a target that stands still, at most", 1, 1000);
   number("--pose-age", parameters_.pose_age, "Older pictures are not acted on, s", 0.02, 2.0);
   number("--joint-age", parameters_.joint_age, "Older joint states are not acted on, s", 0.02, 2.0);
+  number("--goal-age", parameters_.goal_age, "A goal not repeated for longer is not followed, s", 0.25, 5.0);
   number("--hand-mismatch", parameters_.hand_mismatch, "Most between the hand mark and the joints' word, m", 0.001,
          1.0);
 }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kTick_s = 1.0 / 600.0;  // divides frames and joint states
 constexpr double kStateInterval_s = 0.01;
+constexpr double kGripperSpeed = 0.1;  // m/s
 constexpr std::int64_t kEpoch_us = 1'700'000'000'000'000;
 
 double towards(double from, double to, double largest) {
@@ -70,10 +71,19 @@ void ArmSimulator::run_until(double time) {
 
 void ArmSimulator::tick() {
   while (!pending_.empty() && pending_.front().due <= time_ + 1e-9) {
-    target_ = pending_.front().command.position;
-    speed_ = pending_.front().command.speed_limit;
+    if (!stopped) {
+      target_ = pending_.front().command.position;
+      speed_ = pending_.front().command.speed_limit;
+      opening_target_ = pending_.front().command.gripper_opening;
+    }
     pending_.pop_front();
   }
+  if (stopped) {
+    target_ = ramp_;
+    opening_target_ = std::min(opening, opening_target_);
+    if (opening > object_width) opening_target_ = opening;
+  }
+  opening = towards(opening, std::max(opening_target_, object_width), kGripperSpeed * kTick_s);
   for (int i = 0; i < robot::kNumJoints; ++i) {
     const auto joint = static_cast<std::size_t>(i);
     const double servo_step = truth_.joints[joint].speed * kTick_s;
@@ -106,7 +116,7 @@ void ArmSimulator::tick() {
 }
 
 void ArmSimulator::report_joints() {
-  states_.push_back({utime_of(time_), 7, settings_.measured ? shaft_ : ramp_, 0.05, false});
+  states_.push_back({utime_of(time_), 7, settings_.measured ? shaft_ : ramp_, opening, false});
 }
 
 Eigen::Vector3d ArmSimulator::grip_point() const {

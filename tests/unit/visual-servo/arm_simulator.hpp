@@ -56,6 +56,11 @@ class ArmSimulator {
   bool hide_hand = false;
   bool hide_target = false;
 
+  // The gripper: it closes no further than what is between the fingers.
+  double opening = 0.05;      // m, as measured
+  double object_width = 0.0;  // m
+  bool stopped = false;       // STOP is latched: joints and gripper stay where they are and obey nothing
+
  private:
   struct Pending {
     double due;
@@ -78,6 +83,7 @@ class ArmSimulator {
   std::deque<JointSample> states_;
   JointVector target_ = JointVector::Zero();
   JointVector speed_ = JointVector::Ones();
+  double opening_target_ = 0.05;
   JointVector ramp_ = JointVector::Zero();
   JointVector motor_ = JointVector::Zero();
   JointVector shaft_ = JointVector::Zero();

@@ -41,10 +41,24 @@ class Rig : public testing::Test {
     return goal;
   }
 
+  // The present goal, as its sender says it again.
+  void repeat_goal(std::int64_t utime) {
+    Goal again = *state_.goal;
+    again.utime = utime;
+    machine_.observe(again, state_);
+  }
+
+  // The arm stops, and its STOP_STATE says so.
+  void stop(bool latched) {
+    arm_.stopped = latched;
+    machine_.observe_stop(latched, "", state_);
+  }
+
   // One frame; the arm obeys.
   Output frame() {
     const PoseSample pose = arm_.expose();
     for (const auto& sample : arm_.take_joint_states()) machine_.observe(sample, state_);
+    if (sender_lives_ && state_.goal) repeat_goal(pose.utime);
     last_pose_ = pose;
     Output output = machine_.step(pose, state_);
     arm_.finish_frame(output.command);
@@ -75,6 +89,7 @@ class Rig : public testing::Test {
   JointVector start_ = robot::inverse_kinematics(*robot_.arm, goal_point_ - Eigen::Vector3d(0.0, 0.12, 0.0), 0.0).q;
   ArmSimulator arm_{robot_, SimulatorSettings(), 3};
   PoseSample last_pose_;
+  bool sender_lives_ = true;  // the goal is repeated with every frame
 };
 
 }  // namespace markservo::visual_servo::test

@@ -72,6 +72,19 @@ TEST_F(ServoStates, TheSamePictureTwiceMovesOnce) {
   EXPECT_EQ(output.command->position, before.command->position);
 }
 
+TEST_F(ServoStates, APictureWithAnImpossibleTimeDoesNotOutdateThoseThatFollow) {
+  machine_.observe(servo_goal(), state_);
+  frames(6);
+  PoseSample wrong = last_pose_;
+  wrong.utime += 3'600'000'000;
+  EXPECT_EQ(machine_.step(wrong, state_).status.state, ServoState::kStale);
+  EXPECT_EQ(frame().status.state, ServoState::kServo);
+  wrong.frame_session = 77;
+  EXPECT_EQ(machine_.step(wrong, state_).status.state, ServoState::kStale);
+  EXPECT_EQ(frame().status.state, ServoState::kServo);
+  frames_until(ServoState::kConverged);
+}
+
 TEST_F(ServoStates, ALostMarkBringsTheArmToRestAndServoingGoesOnWhenItIsBack) {
   machine_.observe(servo_goal(), state_);
   const Output moving = frames(8);
@@ -146,12 +159,13 @@ TEST_F(ServoStates, StopEndsTheGoalForGood) {
   frame();
   machine_.observe(servo_goal(), state_);
   frames(6);
+  arm_.stopped = true;
   machine_.observe_stop(true, "button", state_);
   Output output = frames(10);
   EXPECT_EQ(output.status.state, ServoState::kStopped);
   EXPECT_EQ(output.status.reason, "button");
   const JointVector stopped_at = output.command->position;
-  machine_.observe_stop(false, "", state_);
+  stop(false);
   machine_.observe(servo_goal(), state_);  // the repeat of the old goal
   output = frames(10);
   EXPECT_EQ(output.status.state, ServoState::kHold);

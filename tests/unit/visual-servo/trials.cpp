@@ -37,6 +37,11 @@ std::vector<Eigen::Vector3d> starts(const robot::ArmDescription& arm, const Eige
 Output step_once(ArmSimulator& arm, const ServoStateMachine& machine, State& state) {
   const PoseSample pose = arm.expose();
   for (const auto& sample : arm.take_joint_states()) machine.observe(sample, state);
+  if (state.goal) {
+    Goal again = *state.goal;
+    again.utime = pose.utime;
+    machine.observe(again, state);
+  }
   Output output = machine.step(pose, state);
   arm.finish_frame(output.command);
   return output;
