@@ -1,7 +1,9 @@
 #include "tests/experiments/experiment.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
+#include <stdexcept>
 
 #include "common/bus/bus_url.hpp"
 #include "common/bus/service.hpp"
@@ -28,7 +30,14 @@ int run_experiment(const std::string& description, int default_trials, int argc,
   app.add_option("--scene", options.scene, "The simulated scene")->capture_default_str();
   app.add_option("--lcm-url", options.lcm_url, "LCM bus")->envname("MARKSERVO_LCM_URL")->capture_default_str();
   if (add_options) add_options(&app);
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::Error& error) {
+    std::cerr << error.what() << "; see --help\n";
+    return bus::kExitBadConfiguration;
+  }
   try {
     std::filesystem::create_directories(options.out);
     return body(options) ? 0 : 1;
@@ -41,6 +50,20 @@ int run_experiment(const std::string& description, int default_trials, int argc,
   }
 }
 
+double parse_number(const std::string& what, const std::string& text) {
+  std::size_t used = 0;
+  double value = NAN;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::logic_error&) {
+    used = 0;
+  }
+  if (used == 0 || used != text.size() || !std::isfinite(value)) {
+    throw ConfigurationError(what + ": '" + text + "' is not a number; allowed: a finite number");
+  }
+  return value;
+}
+
 std::string Services::log_file(const std::string& name) const {
   return (std::filesystem::path(options_.out) / (name + ".log")).string();
 }
@@ -51,17 +74,18 @@ std::vector<std::string> Services::command(const std::string& name, const std::v
   return words;
 }
 
-void Services::start(const std::string& name, const std::vector<std::string>& arguments) {
+pid_t Services::start(const std::string& name, const std::vector<std::string>& arguments) {
   std::vector<std::string> words = command(name, arguments);
   words.insert(words.end(), {"--lcm-url", options_.lcm_url});
   running_.push_back(std::make_unique<ChildProcess>(words, log_file(name)));
+  return running_.back()->pid();
 }
 
-void Services::start_simulator(const std::string& channels, const std::vector<std::string>& settings) {
+pid_t Services::start_simulator(const std::string& channels, const std::vector<std::string>& settings) {
   std::vector<std::string> arguments{"--scene", options_.scene, "--lockstep", "--wait-for",
                                      channels.empty() ? "SIM_CONTROL" : channels + ",SIM_CONTROL"};
   for (const auto& setting : settings) arguments.insert(arguments.end(), {"--set", setting});
-  start("simulator", arguments);
+  return start("simulator", arguments);
 }
 
 int Services::run(const std::string& name, const std::vector<std::string>& arguments) const {

@@ -34,10 +34,10 @@ class Services {
  public:
   explicit Services(const ExperimentOptions& options) : options_(options) {}
 
-  // Starts `name` with the common options and `arguments`.
-  void start(const std::string& name, const std::vector<std::string>& arguments = {});
+  // Starts `name` with the common options and `arguments`; its process.
+  pid_t start(const std::string& name, const std::vector<std::string>& arguments = {});
   // The simulator in lockstep, waiting for `channels` and the experiment.
-  void start_simulator(const std::string& channels, const std::vector<std::string>& settings = {});
+  pid_t start_simulator(const std::string& channels, const std::vector<std::string>& settings = {});
   // Runs `name` until it ends by itself; its exit code.
   int run(const std::string& name, const std::vector<std::string>& arguments) const;
   // Ends the last started service.
@@ -50,6 +50,9 @@ class Services {
   ExperimentOptions options_;
   std::vector<std::unique_ptr<ChildProcess>> running_;
 };
+
+// The number that `text` is, all of it. Throws ConfigurationError that names `what`.
+double parse_number(const std::string& what, const std::string& text);
 
 // Where `name` lies beside this executable.
 std::string sibling_executable(const std::string& name);

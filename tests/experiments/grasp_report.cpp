@@ -13,6 +13,9 @@
 namespace markservo::experiments {
 namespace {
 
+// Refused is still: the hold keeps the joints where they are, within a servo's deadband.
+constexpr double kStill = 0.004;  // rad
+
 // Success in % (paper, table 3): rows X = -10, -5, 0, 5, 10 cm, books L, C, R; columns Y = 35, 30, 25, 20, 15 cm.
 constexpr int kPaper[15][5] = {{0, 100, 100, 100, 0},   {0, 0, 0, 0, 0},         {0, 0, 0, 0, 0},          //
                                {0, 100, 100, 100, 100}, {0, 100, 0, 0, 0},       {0, 0, 0, 0, 0},          //
@@ -48,7 +51,8 @@ int GraspCell::lifted() const {
 int GraspCell::as_predicted() const {
   return static_cast<int>(std::count_if(trials.begin(), trials.end(), [this](const GraspTrial& trial) {
     if (predicted == "feasible") return trial.result == "lifted";
-    return trial.result == "refused" && trial.reason.rfind(predicted, 0) == 0 && !trial.arm_touched;
+    return trial.result == "refused" && trial.reason.rfind(predicted, 0) == 0 && !trial.arm_touched &&
+           trial.shaft_moved < kStill;
   }));
 }
 
@@ -61,7 +65,8 @@ void write_grasp_json(const std::vector<GraspCell>& cells, const std::string& fo
                         {"result", trial.result},
                         {"reason", trial.reason},
                         {"arm_touched", trial.arm_touched},
-                        {"touched", trial.touched}});
+                        {"touched", trial.touched},
+                        {"shaft_moved_rad", trial.shaft_moved}});
     }
     list.push_back({{"x_m", cell.x},
                     {"y_m", cell.y},
@@ -132,7 +137,7 @@ void plot_heat_map(const std::vector<GraspCell>& cells, const std::string& folde
   }
 }
 
-bool print_grasp_summary(const std::vector<GraspCell>& cells) {
+bool print_grasp_summary(const std::vector<GraspCell>& cells, int least_feasible) {
   int feasible_cells = 0;
   int feasible_trials = 0;
   int feasible_lifted = 0;
@@ -148,16 +153,21 @@ bool print_grasp_summary(const std::vector<GraspCell>& cells) {
       GraspCell alone = cell;
       alone.trials = {trial};
       if (alone.as_predicted() == 1) continue;
-      std::printf("X %.2f cm, Y %.2f cm, %c, seed %lld: predicted %s, but %s: %s%s%s\n", 100 * cell.x, 100 * cell.y,
-                  cell.book, static_cast<long long>(trial.seed), cell.predicted.c_str(), trial.result.c_str(),
-                  trial.reason.c_str(), trial.arm_touched ? "; the arm touched " : "", trial.touched.c_str());
+      std::printf("X %.2f cm, Y %.2f cm, %c, seed %lld: predicted %s, but %s: %s%s%s; joints moved %.4f rad\n",
+                  100 * cell.x, 100 * cell.y, cell.book, static_cast<long long>(trial.seed), cell.predicted.c_str(),
+                  trial.result.c_str(), trial.reason.c_str(), trial.arm_touched ? "; the arm touched " : "",
+                  trial.touched.c_str(), trial.shaft_moved);
     }
   }
   std::printf(
       "%d feasible cells: %d of %d trials lifted; elsewhere %d of %d refused for the predicted reason, nothing "
-      "touched\n",
+      "moved or touched\n",
       feasible_cells, feasible_lifted, feasible_trials, other_refused, other_trials);
-  return feasible_trials - feasible_lifted <= 1 && other_refused == other_trials;
+  if (feasible_cells < least_feasible) {
+    std::printf("too few feasible cells: the description leaves %d, at least %d are required\n", feasible_cells,
+                least_feasible);
+  }
+  return feasible_cells >= least_feasible && feasible_trials - feasible_lifted <= 1 && other_refused == other_trials;
 }
 
 }  // namespace markservo::experiments

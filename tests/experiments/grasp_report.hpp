@@ -12,6 +12,7 @@ struct GraspTrial {
   std::string reason;
   bool arm_touched = false;  // the arm touched anything, by truth
   std::string touched;       // what first
+  double shaft_moved = 0.0;  // rad, refused: the farthest joint, from the reset to 1 s after the refusal
 };
 
 struct GraspCell {
@@ -22,7 +23,7 @@ struct GraspCell {
   std::vector<GraspTrial> trials;
 
   // How many of the trials end as predicted: lifted where feasible; elsewhere refused for the predicted reason, with
-  // nothing touched.
+  // nothing moved or touched.
   int as_predicted() const;
   int lifted() const;
 };
@@ -33,8 +34,8 @@ void write_grasp_json(const std::vector<GraspCell>& cells, const std::string& fo
 void print_beside_the_paper(const std::vector<GraspCell>& cells);
 // DIR/grasp.png by gnuplot; without gnuplot a line says so.
 void plot_heat_map(const std::vector<GraspCell>& cells, const std::string& folder);
-// Counts and every trial that did not end as predicted; true if at most one feasible trial failed and all others were
-// refused rightly.
-bool print_grasp_summary(const std::vector<GraspCell>& cells);
+// Counts and every trial that did not end as predicted; true if at most one feasible trial failed, all others were
+// refused rightly, and `least_feasible` cells could be tried at all.
+bool print_grasp_summary(const std::vector<GraspCell>& cells, int least_feasible);
 
 }  // namespace markservo::experiments

@@ -1,5 +1,7 @@
 #include "tests/experiments/rig.hpp"
 
+#include <markservo/ServiceStatus.hpp>
+
 #include "common/bus/repeat_timer.hpp"
 
 namespace markservo::experiments {
@@ -30,6 +32,9 @@ Rig::Rig(const std::string& lcm_url, const std::string& robot, Pace pace)
   bus_.on_each<TaskState>("TASK_STATE", [this](const TaskState& state) { task_ = state; });
   bus_.on_latest<MarkDetection>("MARK_DETECTION", [this](const MarkDetection& detection) { detection_ = detection; });
   bus_.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& state) { stop_ = state; });
+  bus_.on_each_from_many<ServiceStatus>("SERVICE_STATUS", [this](const ServiceStatus& status) {
+    if (status.state != "starting") started_.insert(status.pid);
+  });
 }
 
 void Rig::wait(const char* what, const std::function<bool()>& done, const std::function<void()>& nudge) {
@@ -44,6 +49,10 @@ void Rig::wait(const char* what, const std::function<bool()>& done, const std::f
       nudged = now;
     }
   }
+}
+
+void Rig::wait_for_service(const std::string& name, pid_t pid) {
+  wait((name + " to say that it is ready").c_str(), [&] { return started_.count(pid) > 0; });
 }
 
 void Rig::wait_for_world() {
@@ -75,7 +84,8 @@ void Rig::reset(int64_t seed, const Settings& settings) {
   if (!truth_.control_error.empty()) throw RigFailure("the simulator refuses: " + truth_.control_error);
 }
 
-void Rig::unlatch() {
+void Rig::unlatch(const std::function<bool()>& answered) {
+  if (answered && pace_ == Pace::kLockstep) wait("the services' answer to the first frame", answered);
   StopRequest request{};
   request.kind = StopRequest::RESET;
   request.utime = truth_.utime;

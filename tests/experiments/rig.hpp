@@ -4,6 +4,8 @@
 // frame. In lockstep (simulator --lockstep --wait-for ...,SIM_CONTROL) the world goes on only when the experiment says
 // so, and what it does happens at a known frame; in real time it follows.
 
+#include <sys/types.h>
+
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -17,6 +19,7 @@
 #include <markservo/StopState.hpp>
 #include <markservo/TaskCommand.hpp>
 #include <markservo/TaskState.hpp>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -40,12 +43,15 @@ class Rig {
 
   Rig(const std::string& lcm_url, const std::string& robot, Pace pace = Pace::kLockstep);
 
+  // Waits until the service `name` of process `pid` says that it has started: no message passes it by from then on.
+  void wait_for_service(const std::string& name, pid_t pid);
   // Waits until the simulator speaks.
   void wait_for_world();
   // SIM_CONTROL RESET; throws RigFailure if the simulator refuses a setting. The arm is latched afterwards.
   void reset(int64_t seed, const Settings& settings);
-  // STOP reset, until the arm says it is unlatched.
-  void unlatch();
+  // STOP reset, until the arm says it is unlatched. In lockstep once `answered` (if given) holds for the present frame,
+  // so that the services learn of it between the same two frames in every run.
+  void unlatch(const std::function<bool()>& answered = {});
 
   // Waits for the next frame. In lockstep lets the world go on by one frame, once `answered` (if given) holds for this
   // one.
@@ -94,6 +100,7 @@ class Rig {
   StopState stop_{};
   MarkDetection detection_{};
   ServoGoal goal_{};
+  std::set<pid_t> started_;  // processes whose service has said that it runs
   int64_t next_id_ = 1;
   int64_t goal_sent_utime_ = 0;
 };

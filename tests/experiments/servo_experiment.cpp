@@ -112,7 +112,7 @@ Trial run_trial(Rig& rig, const robot::RobotDescription& robot, const std::strin
                    {"arm.start_yaw_deg", degrees(start.q[0])},
                    {"arm.start_shoulder_deg", degrees(start.q[1])},
                    {"arm.start_elbow_deg", degrees(start.q[2])}});
-  rig.unlatch();
+  rig.unlatch([&] { return rig.servo_answered(); });
   for (int i = 0; i < 3; ++i) rig.step([&] { return rig.servo_answered(); });
   ServoGoal goal{};
   goal.kind = ServoGoal::SERVO;
@@ -148,11 +148,10 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
   const std::string target = target_mark.name;
   const double hand_size = mark_of_role(robot, robot::MarkRole::kManipulator).size;
 
-  Services services(options);
-  services.start_simulator("JOINT_COMMAND");
-  services.start("mark-detector");
-  services.start("target-locator");
   Rig rig(options.lcm_url, "");
+  Services services(options);
+  for (const char* name : {"mark-detector", "target-locator"}) rig.wait_for_service(name, services.start(name));
+  rig.wait_for_service("simulator", services.start_simulator("JOINT_COMMAND"));
   rig.wait_for_world();
 
   ProgressBar progress(static_cast<int>(laws.size() * kServos.size()) * 3 * options.trials);
@@ -161,7 +160,7 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
   std::printf("%-9s %-14s %5s  %9s %7s %7s  %10s %10s  %s\n", "servos", "law", "delay", "converged", "frames", "max",
               "error p50", "p95", "bar");
   for (const auto& law : laws) {
-    services.start("visual-servo", {"--law", law});
+    rig.wait_for_service("visual-servo", services.start("visual-servo", {"--law", law}));
     for (const auto& servos : kServos) {
       for (int delay = 1; delay <= 3; ++delay) {
         std::mt19937 random(static_cast<uint32_t>(options.seed));  // the same starts for every case
@@ -194,11 +193,12 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
                          {"final_median_m", median(errors)},
                          {"final_p95_m", p95},
                          {"final_max_m", maximum(errors)}});
+        std::ofstream(std::filesystem::path(options.out) / "servo.json")
+            << nlohmann::json{{"cases", cases}}.dump(2) << "\n";
       }
     }
     services.stop_last();
   }
-  std::ofstream(std::filesystem::path(options.out) / "servo.json") << nlohmann::json{{"cases", cases}}.dump(2) << "\n";
   return all_met;
 }
 
