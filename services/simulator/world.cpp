@@ -173,9 +173,10 @@ ServoParameters World::servo_parameters(int joint) const {
 void World::drive_joints() {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     JointDrive& joint = joints_[i];
+    // The joint is where the step begins: against the shaft at its end it would run ahead by a step.
+    const double behind = joint.servo.shaft() - data_->qpos[joint.qpos];
     joint.servo.advance(servo_parameters(static_cast<int>(i)), kTimeStep);
-    const double torque =
-        kJointStiffness * (joint.servo.shaft() - data_->qpos[joint.qpos]) + kJointDamping * joint.servo.shaft_speed();
+    const double torque = kJointStiffness * behind + kJointDamping * joint.servo.shaft_speed();
     // qfrc_bias carries weight and gyroscopic forces: the drive holds the arm's own weight without bending.
     data_->qfrc_applied[joint.dof] =
         std::clamp(torque, -kJointTorqueMax, kJointTorqueMax) + data_->qfrc_bias[joint.dof];
