@@ -19,18 +19,27 @@ Eigen::Vector3d MarkAverage::mean() const {
 }
 
 LiftVerdict check_lift(const robot::ArmDescription& arm, const LiftView& before, const LiftView& after,
-                       double tolerance) {
-  // The hand's turn between both postures, and where it takes the target's mark from the hand's.
-  const Eigen::Matrix3d turn =
-      robot::grip_pose(arm, after.q).linear() * robot::grip_pose(arm, before.q).linear().transpose();
+                       const LiftDemand& demand) {
+  // The hand's way between both postures, and where its turn takes the target's mark from the hand's.
+  const Eigen::Isometry3d way = robot::grip_pose(arm, after.q) * robot::grip_pose(arm, before.q).inverse();
+  const Eigen::Matrix3d turn = way.linear();
   const Eigen::Vector3d expected = after.p_CM + turn * (before.p_CT - before.p_CM);
 
   LiftVerdict verdict;
   verdict.error = after.p_CT - expected;
-  verdict.came_along = verdict.error.norm() <= tolerance;
-  char text[160];
-  std::snprintf(text, sizeof text, "the hand's mark rose by %.1f mm, the target's by %.1f mm, %.1f mm off its way",
-                1000.0 * (after.p_CM.z() - before.p_CM.z()), 1000.0 * (after.p_CT.z() - before.p_CT.z()),
+  const double joints_rise = robot::grip_point(arm, after.q).z() - robot::grip_point(arm, before.q).z();
+  const double hand_rise = after.p_CM.z() - before.p_CM.z();
+  const double target_rise = after.p_CT.z() - before.p_CT.z();
+  const double hand_predicted = (way * before.p_CM).z() - before.p_CM.z();
+  const double target_predicted = (way * before.p_CT).z() - before.p_CT.z();
+  const bool rose = joints_rise >= demand.rise_share * demand.height &&
+                    hand_rise >= demand.rise_share * hand_predicted &&
+                    target_rise >= demand.rise_share * target_predicted;
+  verdict.came_along = rose && verdict.error.norm() <= demand.tolerance;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "the hand's mark rose by %.1f mm of %.1f mm, the target's by %.1f mm of %.1f mm, %.1f mm off its way",
+                1000.0 * hand_rise, 1000.0 * hand_predicted, 1000.0 * target_rise, 1000.0 * target_predicted,
                 1000.0 * verdict.error.norm());
   verdict.reason = text;
   return verdict;

@@ -36,9 +36,16 @@ struct LiftVerdict {
   std::string reason;                               // figures for people
 };
 
+struct LiftDemand {
+  double height = 0.0;      // m, by which the grip point was to rise
+  double tolerance = 0.0;   // m, largest |error| that counts as coming along
+  double rise_share = 0.0;  // of what kinematics predicts: the least that either mark rises
+};
+
 // The target's mark, fixed to the hand, moves as the hand's mark does, but for the forearm's turn, which kinematics
-// tells. `tolerance`: largest |error| (m) that counts as coming along.
+// tells. That holds for a scene in which nothing moved as well: the grip point by the joints must have risen, and both
+// marks with it.
 LiftVerdict check_lift(const robot::ArmDescription& arm, const LiftView& before, const LiftView& after,
-                       double tolerance);
+                       const LiftDemand& demand);
 
 }  // namespace markservo::task_manager

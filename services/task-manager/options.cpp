@@ -24,6 +24,7 @@ void add_parameter_options(CLI::App& app, Parameters& p) {
   number("--close-time", p.grip.close_time, 0.1, 30.0, "s, for the hand to close");
   number("--open-time", p.grip.open_time, 0.1, 30.0, "s, for the hand to open");
   number("--check-height", p.lift.check_height, 0.006, 0.1, "m, of the lift that verifies the grip");
+  number("--rise-share", p.lift.rise_share, 0.05, 0.9, "of the predicted rise: the least that both marks must show");
   number("--lift-height", p.lift.height, 0.012, 0.2, "m, of the object above its place in the end");
   number("--object-depth", p.carry.object_depth, 0.0, 1.0, "m, of the object behind its mark");
   number("--object-below-mark", p.carry.object_below_mark, 0.0, 1.0, "m, from the mark's centre to the support");

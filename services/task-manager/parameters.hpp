@@ -56,6 +56,7 @@ struct LiftParameters {
   double bend_max = 0.03;           // back towards the robot, where the arm does not reach straight up
   int frames = 5;                   // averaged before and after
   double marks_timeout = 2.0;       // for those frames
+  double rise_share = 0.33;         // of the rise that kinematics predicts: deadbands eat half of the lowest lift
   double follow_share = 0.4;        // of the lift: the largest error of the mark's way that counts as coming along
 };
 

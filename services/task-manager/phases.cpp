@@ -49,7 +49,7 @@ void ProcedureStep::look() {
     tell_why_unseen();
   } else if (waited() > p_.look.timeout) {
     if (!in_.arm) return not_taken("the arm does not answer: no JOINT_STATE");
-    if (!in_.stop.known) return not_taken("not every stop device answers: no STOP_STATE");
+    if (!in_.stop.known) return not_taken("not every stop device answers: no STOP_STATE of " + in_.stop.silent);
     not_taken("out_of_view: the mark of " + s_.task.target + " was located in " +
               std::to_string(s_.target_mean.count()) + " frames only");
   }
@@ -172,7 +172,7 @@ void ProcedureStep::servo() {
 void ProcedureStep::grip() {
   if (s_.stage == 0) {
     if (!way_is_done()) return;
-    s_.holding = {true, true, in_.arm->session, in_.arm->q};
+    s_.holding = {true, true, false, in_.arm->session, in_.arm->q};
     s_.before.q = in_.arm->q;
     s_.target_mean = s_.hand_mean = MarkAverage();
     return enter_stage(1, "measuring both marks before the lift");
@@ -198,7 +198,8 @@ void ProcedureStep::lift() {
 void ProcedureStep::verify() {
   if (average_both_marks()) {
     const LiftView after{s_.target_mean.mean(), s_.hand_mean.mean(), in_.arm->q};
-    const LiftVerdict verdict = check_lift(arm(), s_.before, after, p_.lift.follow_share * s_.check_height);
+    const LiftVerdict verdict = check_lift(
+        arm(), s_.before, after, {s_.check_height, p_.lift.follow_share * s_.check_height, p_.lift.rise_share});
     if (!verdict.came_along) return grip_failed("the book did not come along: " + verdict.reason);
     out_.notices.push_back("the book comes along: " + verdict.reason);
     const PosturePath up =

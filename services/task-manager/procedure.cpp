@@ -8,6 +8,11 @@
 #include "services/task-manager/procedure_step.hpp"
 
 namespace markservo::task_manager {
+namespace {
+
+constexpr double kOpened = 0.006;  // m wider than the object: the hand does not hold it
+
+}  // namespace
 
 Procedure::Procedure(robot::RobotDescription robot, Parameters parameters)
     : robot_(std::move(robot)), parameters_(parameters) {}
@@ -48,21 +53,32 @@ void ProcedureStep::watch_the_arm() {
   if (!in_.arm) return;
   const bool restarted = s_.arm_session != 0 && s_.arm_session != in_.arm->session;
   s_.arm_session = in_.arm->session;
-  if (restarted && (busy(s_.phase) || s_.phase == Phase::kHoldLifted)) stop("the arm restarted");
+  if (!restarted) return;
+  if (busy(s_.phase) || s_.phase == Phase::kHoldLifted) {
+    stop("the arm restarted");
+  } else if (s_.goal.id != 0) {
+    hold();  // what the arm was told in its former life is not its state any more
+  }
 }
 
 void ProcedureStep::watch_the_stop_devices() {
   const bool known_before = std::exchange(s_.stop_was_known, in_.stop.known);
   const bool latched_before = std::exchange(s_.stop_was_latched, in_.stop.latched);
-  if (in_.stop.latched && (busy(s_.phase) || s_.phase == Phase::kHoldLifted)) {
-    if (s_.phase == Phase::kLook && !known_before && s_.attempt == 1) {
+  // The first word of a stop device may tell of a stop that is reset by now: a task that waited for it goes on.
+  const bool first_word = s_.phase == Phase::kLook && !known_before && s_.attempt == 1;
+  const bool stopped = in_.stop.latched || (in_.stop.meanwhile && !first_word);
+  if (!in_.stop.known && known_before && busy(s_.phase) && s_.phase != Phase::kLook) {
+    stop("a stop device is silent: no STOP_STATE of " + in_.stop.silent);
+  }
+  if (stopped && (busy(s_.phase) || s_.phase == Phase::kHoldLifted)) {
+    if (first_word) {
       refuse("stop is latched: reset it first (" + in_.stop.reason + ")");
     } else {
-      stop("stop: " + in_.stop.reason);
+      stop("stop: " + (in_.stop.latched ? in_.stop.reason : "it is reset by now"));
     }
   }
   // Movers obey no goal from before the reset: without a new one the gripper would be told nothing.
-  if (latched_before && !in_.stop.latched && s_.goal.id != 0) hold();
+  if ((latched_before || in_.stop.meanwhile) && !in_.stop.latched && s_.goal.id != 0) hold();
 }
 
 void ProcedureStep::watch_the_servo() {
@@ -88,7 +104,6 @@ void ProcedureStep::watch_the_hand() {
     return;
   }
   constexpr double kElsewhere = 0.2;  // rad: more than an arm coasts after a stop
-  constexpr double kOpened = 0.006;   // m wider than the object
   if (in_.arm->session != s_.holding.arm_session || (in_.arm->q - s_.holding.q).cwiseAbs().maxCoeff() > kElsewhere ||
       in_.arm->gripper_opening > target().grip->object_width + kOpened) {
     s_.holding.something = false;
@@ -168,6 +183,7 @@ void ProcedureStep::home() {
   }
   if (!robot_.arm) return stop("home: the robot has no arm");
   if (in_.stop.latched) return stop("stop is latched: reset it first (" + in_.stop.reason + ")");
+  if (!in_.stop.known) return stop("home: not every stop device answers: no STOP_STATE of " + in_.stop.silent);
   if (!in_.arm) return stop("home: the arm does not answer (no JOINT_STATE)");
   if (s_.holding.something && !s_.holding.over_place) {
     return stop("home: the hand holds " + s_.task.target + " away from its place; take it out of the hand first");
@@ -230,6 +246,11 @@ void ProcedureStep::hold() {
   goal.force = std::min(p_.grip.force, arm().gripper.force_max);
   if (s_.goal.id != 0) {
     goal.opening = s_.goal.opening;
+    if (holds_something()) {
+      goal.opening = closed_opening();
+    } else if (in_.arm) {
+      goal.opening = std::clamp(in_.arm->gripper_opening, 0.0, arm().gripper.opening_max);
+    }
   } else if (in_.arm) {
     // After a restart: what is not open may be closed around something.
     const double open = arm().gripper.opening_max;
@@ -238,6 +259,13 @@ void ProcedureStep::hold() {
     return;  // nothing is known that could be kept
   }
   send(goal);
+}
+
+// As far as the arm's report does not speak against it.
+bool ProcedureStep::holds_something() const {
+  if (!s_.holding.something || s_.holding.let_go) return false;
+  return !in_.arm || (in_.arm->session == s_.holding.arm_session &&
+                      in_.arm->gripper_opening <= target().grip->object_width + kOpened);
 }
 
 void ProcedureStep::play(const std::vector<Move>& moves) {
@@ -256,6 +284,7 @@ void ProcedureStep::send_move() {
   goal.speed = move.speed;
   goal.opening = move.opening;
   goal.force = std::min(p_.grip.force, arm().gripper.force_max);
+  if (s_.holding.something) s_.holding.let_go = move.opening > target().grip->object_width;
   send(goal);
 }
 

@@ -10,8 +10,9 @@
 // Commands: each is executed once. START and HOME while a task is running are answered and ignored, with a notice;
 // ABORT ends any task where the arm is. HOME with an object held over its place puts it back first; START is refused
 // while the hand holds one. After STOP a new START is needed.
-// The gripper keeps what it was last told in every end state. After a restart it is unknown whether it holds something:
-// a hand that is not open stays closed with the grip's force until HOME or START opens it.
+// In every end state the gripper stays as the arm reports it, so that no reset makes it go on; one that holds something
+// keeps pressing. After a restart it is unknown whether it holds something: a hand that is not open stays closed with
+// the grip's force until HOME or START opens it.
 
 #include <memory>
 
@@ -28,6 +29,7 @@ namespace markservo::task_manager {
 struct Holding {
   bool something = false;
   bool over_place = false;  // lifted straight from where it stood: it can be put back
+  bool let_go = false;      // the hand was told to open: whether it still holds is not known
   std::int64_t arm_session = 0;
   robot::JointVector q = robot::JointVector::Zero();  // rad, when last told to move
 };

@@ -33,6 +33,7 @@ class ProcedureStep {
   void stop(const std::string& reason);
   void send(Goal goal);
   void hold();
+  bool holds_something() const;
   void play(const std::vector<Move>& moves);
   void send_move();
   bool way_is_done();

@@ -82,9 +82,11 @@ struct ArmReport {
 };
 
 struct StopReport {
-  bool known = false;    // every stop device has spoken
-  bool latched = false;  // one at least
-  std::string reason;    // which, and by whom
+  bool known = false;       // every stop device has spoken within the last second
+  bool latched = false;     // one at least
+  std::string reason;       // which, and by whom
+  bool meanwhile = false;   // one at least was latched at some time since the last step
+  std::string silent = {};  // the devices that are not known, for people
 };
 
 // Everything at one SERVO_STATUS.

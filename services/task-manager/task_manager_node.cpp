@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
 #include "common/bus/message_traits.hpp"
@@ -15,6 +17,8 @@ static_assert(static_cast<int>(Phase::kLook) == 1 && static_cast<int>(Phase::kSt
               "phases as TaskState.lcm numbers them");
 static_assert(static_cast<int>(ServoState::kStopped) == 7, "as ServoStatus.lcm numbers them");
 static_assert(static_cast<int>(Sight::kInconsistent) == 5, "as LocatedMark.lcm numbers them");
+
+constexpr std::int64_t kSilence_us = 1'000'000;  // of a stop device: five repeats of STOP_STATE are missing
 
 Eigen::Vector3d vector(const Vector3& v) {
   return {v.x, v.y, v.z};
@@ -66,7 +70,7 @@ void TaskManagerNode::on_command(const TaskCommand& message) {
   command.target = message.target;
   command.carry = message.carry != 0;
   if (message.expected_known != 0) command.p_CT_expected = vector(message.p_CT_expected);
-  input_.commands.push_back(command);
+  commands_.add(command, std::chrono::steady_clock::now());
 }
 
 void TaskManagerNode::on_pose(const TargetPose& pose) {
@@ -91,17 +95,23 @@ void TaskManagerNode::on_joints(const JointState& joints) {
 }
 
 void TaskManagerNode::on_stop(const StopState& stop) {
+  const auto& devices = robot_.stop_devices;
+  if (std::find(devices.begin(), devices.end(), stop.device) == devices.end()) return;
   stops_[stop.device] = stop;
+  if (stop.latched != 0) stopped_meanwhile_ = true;
 }
 
 StopReport TaskManagerNode::stop_report() const {
   StopReport report;
   report.known = true;
+  report.meanwhile = stopped_meanwhile_;
   for (const std::string& device : robot_.stop_devices) {
     const auto found = stops_.find(device);
-    if (found == stops_.end()) {
+    if (found == stops_.end() || input_.utime - found->second.utime > kSilence_us) {
       report.known = false;
-    } else if (found->second.latched != 0) {
+      report.silent += (report.silent.empty() ? "" : ", ") + device;
+    }
+    if (found != stops_.end() && found->second.latched != 0) {
       report.latched = true;
       report.reason += (report.reason.empty() ? "" : "; ") + device + ": " + found->second.reason;
     }
@@ -116,8 +126,9 @@ void TaskManagerNode::on_status(const ServoStatus& status) {
   input_.servo.settled = status.settled != 0;
   input_.servo.reason = status.reason;
   input_.stop = stop_report();
+  stopped_meanwhile_ = false;
+  input_.commands = commands_.take(std::chrono::steady_clock::now(), !bus_->replaying());
   const Output output = procedure_->step(input_, state_);
-  input_.commands.clear();
   tell(output, input_.utime);
 
   if (output.goal) send(*output.goal, status);

@@ -16,6 +16,7 @@
 #include <string>
 
 #include "common/bus/service.hpp"
+#include "services/task-manager/command_queue.hpp"
 #include "services/task-manager/procedure.hpp"
 
 namespace markservo::task_manager {
@@ -40,8 +41,10 @@ class TaskManagerNode : public bus::Service {
   robot::RobotDescription robot_;
   std::optional<Procedure> procedure_;
   State state_;
-  Input input_;                             // what has come since the last step
+  Input input_;  // what has come since the last step
+  CommandQueue commands_;
   std::map<std::string, StopState> stops_;  // by device
+  bool stopped_meanwhile_ = false;          // a device was latched since the last step
   std::optional<Output> told_;              // what the log said last
   std::int64_t task_began_ = 0;             // us
 

@@ -94,7 +94,7 @@ void FakeRobot::move_arm() {
 }
 
 void FakeRobot::move_gripper() {
-  if (goal_.id == 0 || stop.latched) return;
+  if (goal_.id == 0 || stop.latched || stop.meanwhile) return;
   const auto& grip = *robot_.find_mark("red_book")->grip;
   const double width = grip.object_width;
   const bool around = (grip_point() - (p_CT + grip.p_TG)).norm() < 0.004;
@@ -174,6 +174,13 @@ bool FakeRobot::run_until(Phase phase, double seconds) {
 
 void FakeRobot::run_for(double seconds) {
   for (const double end = this->seconds() + seconds; this->seconds() < end;) frame();
+}
+
+void FakeRobot::reset_world() {
+  q_ = robot_.arm->home;
+  opening_ = robot_.arm->gripper.opening_max;
+  attached_ = slipped_ = false;
+  p_CT = start_;
 }
 
 void FakeRobot::restart_task_manager() {

@@ -41,6 +41,8 @@ class FakeRobot {
   // Frames until `phase`, at most `seconds`; true when it came.
   bool run_until(Phase phase, double seconds = 60.0);
   void run_for(double seconds);
+  // The simulated world begins anew: book and arm are where they were, the hand is open.
+  void reset_world();
   // task-manager dies and comes back.
   void restart_task_manager();
 

@@ -10,6 +10,8 @@
 namespace markservo::task_manager {
 namespace {
 
+constexpr LiftDemand kDemand{0.012, 0.005, 0.33};
+
 class LiftAt : public ::testing::TestWithParam<double> {
  protected:
   robot::RobotDescription robot_ = default_robot();
@@ -69,13 +71,25 @@ TEST_P(LiftAt, TellsABookThatComesAlongFromOneThatStays) {
   const LiftView before{p_CT_, robot::hand_mark(arm_, q_), q_};
   LiftView after{robot::grip_pose(arm_, up.end()) * (robot::grip_pose(arm_, q_).inverse() * p_CT_),
                  robot::hand_mark(arm_, up.end()), up.end()};
-  const LiftVerdict along = check_lift(arm_, before, after, 0.005);
+  const LiftVerdict along = check_lift(arm_, before, after, kDemand);
   EXPECT_TRUE(along.came_along) << along.reason;
   EXPECT_LT(along.error.norm(), 1e-6);
   after.p_CT = p_CT_;
-  const LiftVerdict stayed = check_lift(arm_, before, after, 0.005);
+  const LiftVerdict stayed = check_lift(arm_, before, after, kDemand);
   EXPECT_FALSE(stayed.came_along) << stayed.reason;
   EXPECT_LT(stayed.error.z(), -0.008);
+}
+
+TEST_P(LiftAt, WhereNeitherMarkMovedNothingCameAlong) {
+  const PosturePath up = plan_lift(arm_, parameters_, q_, p_CG_, 0.012, 0.01);
+  const LiftView before{p_CT_, robot::hand_mark(arm_, q_), q_};
+  // An arm that stuck though its joint states went up: the marks kept their places to each other.
+  const LiftView stuck{before.p_CT, before.p_CM, up.end()};
+  constexpr LiftDemand kLenient{0.012, 0.010, 0.33};
+  EXPECT_LT(check_lift(arm_, before, stuck, kLenient).error.norm(), kLenient.tolerance);
+  EXPECT_FALSE(check_lift(arm_, before, stuck, kLenient).came_along);
+  // Joint states that did not go up either.
+  EXPECT_FALSE(check_lift(arm_, before, before, kDemand).came_along);
 }
 
 INSTANTIATE_TEST_SUITE_P(Depths, LiftAt, ::testing::Values(0.20, 0.25, 0.30));

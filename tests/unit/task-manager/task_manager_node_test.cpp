@@ -137,6 +137,29 @@ TEST_F(TaskManagerOnABus, AStartMovesTheHandTowardsTheTarget) {
   EXPECT_GT(goals_.back().goal_id, 1);
 }
 
+TEST_F(TaskManagerOnABus, AStopDeviceThatFallsSilentStopsTheTask) {
+  tell_joints();
+  tell_stop(false);
+  start("red_book");
+  for (int i = 0; i < 28; ++i) frame();
+  EXPECT_EQ(states_.back().state, TaskState::APPROACH);
+  for (int i = 0; i < 4; ++i) frame();
+  EXPECT_EQ(states_.back().state, TaskState::STOPPED);
+  EXPECT_EQ(states_.back().reason, "a stop device is silent: no STOP_STATE of arm");
+}
+
+TEST_F(TaskManagerOnABus, AStopThatIsResetBeforeTheNextStatusIsNotMissed) {
+  tell_joints();
+  tell_stop(false);
+  start("red_book");
+  for (int i = 0; i < 12; ++i) frame();
+  ASSERT_EQ(states_.back().state, TaskState::APPROACH);
+  tell_stop(true);
+  tell_stop(false);
+  frame();
+  EXPECT_EQ(states_.back().state, TaskState::STOPPED);
+}
+
 TEST_F(TaskManagerOnABus, ALatchedDeviceRefuses) {
   tell_joints();
   tell_stop(true);
