@@ -11,6 +11,7 @@
 
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/detection_message.hpp"
+#include "services/mark-detector/jpeg_size.hpp"
 #include "services/mark-detector/mark_option.hpp"
 #include "services/mark-detector/picture.hpp"
 
@@ -45,18 +46,29 @@ void write_picture(const std::string& option, const std::string& path, const cv:
   if (!written) throw ConfigurationError(option + " '" + path + "': cannot be written; allowed: a picture file");
 }
 
+std::runtime_error not_a_jpeg(const char* name) {
+  return std::runtime_error(std::string(name) + " is no JPEG that can be read");
+}
+
+void require_frame_size(const StereoFrame& frame, const JpegSize& size, const char* name) {
+  if (size.width == frame.width && size.height == frame.height) return;
+  throw std::runtime_error(std::string(name) + "'s JPEG is " + std::to_string(size.width) + " x " +
+                           std::to_string(size.height) + " px; allowed: the frame's " + std::to_string(frame.width) +
+                           " x " + std::to_string(frame.height) + " px");
+}
+
 // One side of a frame as an image; raw sides are not copied and must outlive it. Throws std::runtime_error.
 cv::Mat decode(const StereoFrame& frame, const std::vector<uint8_t>& side, const char* name) {
   if (frame.encoding == StereoFrame::ENCODING_BGR8) {
     return {frame.height, frame.width, CV_8UC3, const_cast<uint8_t*>(side.data())};
   }
+  // Before any pixel is decoded: a small message can claim an image of gigabytes.
+  const std::optional<JpegSize> size = jpeg_size(side);
+  if (!size) throw not_a_jpeg(name);
+  require_frame_size(frame, *size, name);
   const cv::Mat image = decode_picture(side);
-  if (image.empty()) throw std::runtime_error(std::string(name) + " is no JPEG that can be read");
-  if (image.cols != frame.width || image.rows != frame.height) {
-    throw std::runtime_error(std::string(name) + "'s JPEG is " + std::to_string(image.cols) + " x " +
-                             std::to_string(image.rows) + " px; allowed: the frame's " + std::to_string(frame.width) +
-                             " x " + std::to_string(frame.height) + " px");
-  }
+  if (image.empty()) throw not_a_jpeg(name);
+  require_frame_size(frame, {image.cols, image.rows}, name);  // OpenCV may turn it as its EXIF says
   return image;
 }
 

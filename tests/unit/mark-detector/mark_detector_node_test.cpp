@@ -163,6 +163,19 @@ TEST_F(LiveNode, DropsAndCountsABadJpeg) {
   EXPECT_EQ(answers_.size(), 1U);
 }
 
+TEST_F(LiveNode, DropsAJpegThatClaimsAnotherSizeThanTheFrame) {
+  StereoFrame frame = frame_at(1000, 400.0);
+  encode(frame);
+  // The frame header: FF C0, length, precision, height, width.
+  const std::vector<uint8_t> marker = {0xFF, 0xC0};
+  const auto header = std::search(frame.left.begin(), frame.left.end(), marker.begin(), marker.end());
+  ASSERT_GT(frame.left.end() - header, 9);
+  std::fill(header + 5, header + 9, uint8_t{0xFF});
+  send(frame);
+  EXPECT_TRUE(answers_.empty());
+  EXPECT_EQ(refused(), 1);
+}
+
 TEST(ReplayedNode, WritesTheSameBytesTwice) {
   const auto folder = std::filesystem::temp_directory_path() / ("markservo-detector-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
