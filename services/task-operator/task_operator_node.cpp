@@ -21,6 +21,15 @@ double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+Action action_of(const std::string& text) {
+  static const std::map<std::string, Action> actions{{"start", Action::kStart},
+                                                     {"abort", Action::kAbort},
+                                                     {"home", Action::kHome},
+                                                     {"stop", Action::kStop},
+                                                     {"reset", Action::kReset}};
+  return actions.at(text);
+}
+
 std::string targets_of(const robot::RobotDescription& robot) {
   std::string names;
   for (const auto& mark : robot.marks) {
@@ -32,17 +41,12 @@ std::string targets_of(const robot::RobotDescription& robot) {
 }  // namespace
 
 void TaskOperatorNode::add_options(CLI::App& app) {
-  const std::map<std::string, Action> actions{{"start", Action::kStart},
-                                              {"abort", Action::kAbort},
-                                              {"home", Action::kHome},
-                                              {"stop", Action::kStop},
-                                              {"reset", Action::kReset}};
-  app.add_option("ACTION", action_,
+  app.add_option("ACTION", action_text_,
                  "start: take --target, and tell how it goes; abort: hold where the arm is; home: back to the home "
                  "posture; stop: nothing moves until reset; reset: release the stop, and move nothing")
       ->required()
       ->configurable(false)
-      ->transform(CLI::CheckedTransformer(actions).description("start|abort|home|stop|reset"));
+      ->check(CLI::IsMember({"start", "abort", "home", "stop", "reset"}));
   app.add_option("--target", target_, "start: whose mark to take");
   app.add_flag("--carry", carry_, "start: carry the object to the side, release it there and go home");
   app.add_option("--source", source_, "stop, reset: who asks, for the logs")->capture_default_str();
@@ -55,6 +59,7 @@ void TaskOperatorNode::add_options(CLI::App& app) {
 }
 
 void TaskOperatorNode::configure(const std::string& robot_file) {
+  action_ = action_of(action_text_);
   const robot::RobotDescription robot = robot::load_robot_description(robot_file);
   if (robot.stop_devices.empty()) {
     throw ConfigurationError(robot_file + ": stop_devices is empty; allowed: what moves, so that it can be stopped");

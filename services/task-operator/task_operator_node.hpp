@@ -31,6 +31,7 @@ class TaskOperatorNode : public bus::Service {
   void on_task_state(const TaskState& state);
   void send();
 
+  std::string action_text_;
   Action action_ = Action::kStop;
   std::string target_;
   bool carry_ = false;
