@@ -184,7 +184,8 @@ void SimulatorNode::on_control(const SimControl& message) {
     control_error_.clear();
     try {
       obey_control(message);
-    } catch (const ConfigurationError& error) {
+    } catch (const std::exception& error) {
+      // Whatever it was: the sender waits for an echo, and silence about a failure would read as done.
       control_error_ = error.what();
       spdlog::warn("SIM_CONTROL {}: {}", message.control_id, control_error_);
     }
