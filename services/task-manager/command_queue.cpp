@@ -23,7 +23,7 @@ void CommandQueue::add(const Command& command, Time now) {
 std::vector<Command> CommandQueue::take(Time now, bool ageing) {
   std::vector<Command> commands;
   for (const Waiting& waiting : waiting_) {
-    const bool old = ageing && waiting.command.kind != CommandKind::kAbort && now - waiting.heard > kPatience;
+    const bool old = ageing && waiting.command.kind != CommandKind::kAbort && now - waiting.heard > kPatience_us;
     if (!old) commands.push_back(waiting.command);
   }
   waiting_.clear();

@@ -13,6 +13,12 @@
 namespace markservo::task_manager {
 namespace {
 
+// This host's steady clock, us.
+std::int64_t steady_us() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
 static_assert(static_cast<int>(Phase::kLook) == 1 && static_cast<int>(Phase::kStopped) == 15,
               "phases as TaskState.lcm numbers them");
 static_assert(static_cast<int>(ServoState::kStopped) == 7, "as ServoStatus.lcm numbers them");
@@ -70,7 +76,7 @@ void TaskManagerNode::on_command(const TaskCommand& message) {
   command.target = message.target;
   command.carry = message.carry != 0;
   if (message.expected_known != 0) command.p_CT_expected = vector(message.p_CT_expected);
-  commands_.add(command, std::chrono::steady_clock::now());
+  commands_.add(command, steady_us());
 }
 
 void TaskManagerNode::on_pose(const TargetPose& pose) {
@@ -127,7 +133,7 @@ void TaskManagerNode::on_status(const ServoStatus& status) {
   input_.servo.reason = status.reason;
   input_.stop = stop_report();
   stopped_meanwhile_ = false;
-  input_.commands = commands_.take(std::chrono::steady_clock::now(), !bus_->replaying());
+  input_.commands = commands_.take(steady_us(), !bus_->replaying());
   const Output output = procedure_->step(input_, state_);
   tell(output, input_.utime);
 

@@ -9,6 +9,7 @@
 #include "common/robot/arm_kinematics.hpp"
 #include "services/visual-servo/goal_check.hpp"
 #include "services/visual-servo/in_flight.hpp"
+#include "services/visual-servo/mark_lookup.hpp"
 #include "services/visual-servo/paper_law.hpp"
 
 namespace markservo::visual_servo {
@@ -25,21 +26,6 @@ std::string age_text(const char* what, double seconds, double allowed) {
   char text[128];
   std::snprintf(text, sizeof text, "%s by %.2f s, allowed %.2f s", what, seconds, allowed);
   return text;
-}
-
-const MarkSample* find(const PoseSample& pose, const std::string& name) {
-  for (const auto& mark : pose.marks) {
-    if (mark.name == name) return &mark;
-  }
-  return nullptr;
-}
-
-// Why the mark cannot be used; empty when it can.
-std::string why_lost(const MarkSample* mark, const std::string& name) {
-  if (mark == nullptr) return "TARGET_POSE does not list mark " + name;
-  if (!mark->located) return "mark " + name + ": " + (mark->problem.empty() ? "not located" : mark->problem);
-  if (!mark->p_C.allFinite() || !mark->covariance.allFinite()) return "mark " + name + ": position is not finite";
-  return "";
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <markservo/StopState.hpp>
 
 #include "tests/unit/bus/bus_fixture.hpp"
@@ -41,7 +40,7 @@ class BusAccounting : public BusTest {
     std::vector<uint8_t> bytes;
     int getEncodedSize() const { return static_cast<int>(bytes.size()); }
     int encode(void* buffer, int offset, int) const {
-      std::memcpy(static_cast<uint8_t*>(buffer) + offset, bytes.data(), bytes.size());
+      std::copy(bytes.begin(), bytes.end(), static_cast<uint8_t*>(buffer) + offset);
       return static_cast<int>(bytes.size());
     }
   };
