@@ -110,7 +110,11 @@ void Bus::run_timers() {
   for (auto& timer : timers_) {
     if (timer.due > now) continue;
     timer.due = now + timer.period;
-    timer.task();
+    try {
+      timer.task();
+    } catch (const std::exception& error) {
+      complain("timer", error.what());
+    }
   }
 }
 
@@ -118,7 +122,8 @@ bool Bus::poll(milliseconds timeout) {
   if (stopped_ || signalled != 0) return false;
   errno = 0;
   int handled = in_->handleTimeout(static_cast<int>(until_next_timer(timeout).count()));
-  if (handled < 0 && (replaying_ || errno != EINTR)) return false;
+  if (handled < 0 && (replaying_ || signalled != 0)) return false;  // the end of the log, or told to stop
+  if (handled < 0 && errno != EINTR) throw BusUnavailable("bus " + parameters_.urls.in + ": cannot be read any more");
   if (!replaying_) {
     for (int count = 1; handled > 0 && count < kMaxDrain; ++count) handled = in_->handleTimeout(0);
   }
@@ -131,7 +136,12 @@ void Bus::set_state(const std::string& state, const std::string& reason) {
   if (state == state_ && reason == reason_) return;
   state_ = state;
   reason_ = reason;
-  if (status_publisher_) publish_status();
+  if (!status_publisher_) return;
+  try {
+    publish_status();
+  } catch (const std::exception& error) {
+    complain("SERVICE_STATUS", error.what());
+  }
 }
 
 ServiceStatus Bus::status() const {

@@ -1,17 +1,27 @@
 #include "common/bus/network_check.hpp"
 
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdlib>
-#include <fstream>
+#include <limits>
 
 #include "common/bus/bus_url.hpp"
 
 namespace markservo::bus {
 
-std::optional<int64_t> kernel_receive_buffer_limit() {
-  std::ifstream file("/proc/sys/net/core/rmem_max");
-  int64_t bytes = 0;
-  if (file >> bytes) return bytes;
-  return std::nullopt;
+std::optional<int64_t> granted_receive_buffer(int64_t asked) {
+  const int socket_fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (socket_fd < 0) return std::nullopt;
+  const int wanted = static_cast<int>(std::min<int64_t>(asked, std::numeric_limits<int>::max() / 2));
+  int granted = 0;
+  socklen_t size = sizeof granted;
+  const bool told = setsockopt(socket_fd, SOL_SOCKET, SO_RCVBUF, &wanted, sizeof wanted) == 0 &&
+                    getsockopt(socket_fd, SOL_SOCKET, SO_RCVBUF, &granted, &size) == 0;
+  close(socket_fd);
+  if (!told) return std::nullopt;
+  return granted / 2;  // the kernel doubles what it grants, for its own bookkeeping
 }
 
 bool raw_frames_fit(const std::string& url) {
@@ -20,9 +30,9 @@ bool raw_frames_fit(const std::string& url) {
   const std::size_t at = url.find(key);
   if (at == std::string::npos) return false;
   const int64_t asked = std::strtoll(url.c_str() + at + key.size(), nullptr, 10);
-  const auto limit = kernel_receive_buffer_limit();
-  // Inside a network namespace the file is hidden but the limit of the host still holds; ask for what the URL says.
-  return asked >= kReceiveBufferForRawFrames && (!limit || *limit >= kReceiveBufferForRawFrames);
+  if (asked < kReceiveBufferForRawFrames) return false;
+  const auto granted = granted_receive_buffer(asked);
+  return granted && *granted >= kReceiveBufferForRawFrames;
 }
 
 std::string raw_frames_advice() {

@@ -107,6 +107,9 @@ int run_service(const ServiceInfo& info, Service& service, int argc, char** argv
   } catch (const BusUnavailable& error) {
     std::cerr << info.name << ": " << error.what() << "\n";
     return kExitBusUnavailable;
+  } catch (const std::exception& error) {
+    std::cerr << info.name << ": " << error.what() << "\n";
+    return kExitFailed;
   }
 }
 

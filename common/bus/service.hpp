@@ -11,6 +11,7 @@
 namespace markservo::bus {
 
 inline constexpr int kExitStopped = 0;
+inline constexpr int kExitFailed = 1;  // what nobody foresaw
 inline constexpr int kExitBadConfiguration = 2;
 inline constexpr int kExitBusUnavailable = 3;
 
@@ -44,7 +45,7 @@ class Service {
 };
 
 // Common options: --config, --print-config, --robot-file, --robot, --lcm-url (environment MARKSERVO_LCM_URL), --lcm-in,
-// --lcm-out, --log-level. Returns the exit code: 0 stopped, 2 bad configuration, 3 bus unavailable.
+// --lcm-out, --log-level. Returns the exit code: 0 stopped, 1 failed, 2 bad configuration, 3 bus unavailable.
 int run_service(const ServiceInfo& info, Service& service, int argc, char** argv);
 
 }  // namespace markservo::bus
