@@ -1,7 +1,7 @@
 #pragma once
 
-// What an RC servo makes of its commands: a ramp at limited speed, a deadband, backlash. One joint, no clock: the
-// caller says how much time passes. Angles in rad.
+// What an RC servo makes of its commands: a ramp at limited speed, a deadband, a motor that follows with limited
+// acceleration, backlash. One joint, no clock: the caller says how much time passes. Angles in rad.
 
 namespace markservo::simulator {
 
@@ -11,8 +11,9 @@ enum class DeadbandKind {
 };
 
 struct ServoParameters {
-  double speed = 5.24;    // rad/s, the servo's own limit, above 0
-  double deadband = 0.0;  // rad, half-width, 0 or more
+  double speed = 5.24;          // rad/s, the servo's own limit, above 0
+  double acceleration = 100.0;  // rad/s2 of the motor, above 0: 1 N m on the 0.01 kg m2 of a small arm
+  double deadband = 0.0;        // rad, half-width, 0 or more
   DeadbandKind deadband_kind = DeadbandKind::kStopsAtEdge;
   double backlash = 0.0;  // rad, full width of the play between motor and joint
 };
@@ -40,10 +41,13 @@ class ServoModel {
   bool moving() const { return ramp_ != target_; }
 
  private:
+  void drive_motor(const ServoParameters& parameters, double goal, double dt);
+
   double target_;
   double speed_limit_ = 0.0;  // rad/s
   double ramp_;
   double motor_;
+  double motor_speed_ = 0.0;  // rad/s
   double shaft_;
   double ramp_speed_ = 0.0;
   double shaft_speed_ = 0.0;

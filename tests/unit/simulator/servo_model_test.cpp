@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace markservo::simulator {
 namespace {
 
 constexpr double kStep_s = 0.002;
+constexpr double kArrived = 1e-8;  // rad
 
 ServoParameters ideal() {
   ServoParameters parameters;
@@ -40,7 +42,30 @@ TEST(ServoModel, MovesNoFasterThanItself) {
   ServoModel servo(0.0);
   servo.command(10.0, 1000.0);
   wait(servo, ideal(), 1.0);
-  EXPECT_NEAR(servo.shaft(), 5.0, 5.0 * 2 * kStep_s);
+  const double run_up = 0.5 * 5.0 * 5.0 / ideal().acceleration;
+  EXPECT_NEAR(servo.shaft(), 5.0 - run_up, 5.0 * 2 * kStep_s);
+}
+
+TEST(ServoModel, GathersSpeedAndBrakesNoHarderThanItsMotorCan) {
+  for (const DeadbandKind kind : {DeadbandKind::kStopsAtEdge, DeadbandKind::kRunsHome}) {
+    ServoParameters parameters = ideal();
+    parameters.deadband = 0.005;
+    parameters.deadband_kind = kind;
+    ServoModel servo(0.0);
+    const double most = parameters.acceleration * kStep_s * (1.0 + 1e-9);
+    double speed = 0.0;
+    double highest = 0.0;
+    for (int step = 0; step < 1000; ++step) {
+      if (step == 0) servo.command(0.3, 100.0);
+      if (step == 500) servo.command(0.29, 0.5);
+      servo.advance(parameters, kStep_s);
+      EXPECT_LE(std::abs(servo.shaft_speed() - speed), most) << "in step " << step;
+      speed = servo.shaft_speed();
+      highest = std::max(highest, servo.shaft());
+    }
+    EXPECT_LE(highest, 0.3 + 1e-12) << "it does not overshoot";
+    EXPECT_EQ(speed, 0.0);
+  }
 }
 
 TEST(ServoModel, FreezesWhereItIs) {
@@ -48,7 +73,7 @@ TEST(ServoModel, FreezesWhereItIs) {
   servo.command(1.0, 1.0);
   wait(servo, ideal(), 0.5);
   servo.freeze();
-  const double there = servo.shaft();
+  const double there = servo.ramp();
   wait(servo, ideal(), 0.5);
   EXPECT_EQ(servo.shaft(), there);
   EXPECT_NEAR(there, 0.5, 0.01);
@@ -60,10 +85,10 @@ TEST(ServoModel, StopsAtTheDeadbandsEdgeFromEitherSide) {
   ServoModel servo(0.0);
   servo.command(0.2, 5.0);
   wait(servo, parameters, 0.5);
-  EXPECT_NEAR(servo.shaft(), 0.19, 1e-12);
+  EXPECT_NEAR(servo.shaft(), 0.19, kArrived);
   servo.command(-0.2, 5.0);
   wait(servo, parameters, 0.5);
-  EXPECT_NEAR(servo.shaft(), -0.19, 1e-12);
+  EXPECT_NEAR(servo.shaft(), -0.19, kArrived);
 }
 
 TEST(ServoModel, IgnoresCommandsInsideTheDeadband) {
@@ -95,13 +120,13 @@ TEST(ServoModel, BacklashIsTakenUpBeforeTheShaftTurnsBack) {
   ServoModel servo(0.0);
   servo.command(0.1, 5.0);
   wait(servo, parameters, 0.5);
-  EXPECT_NEAR(servo.shaft(), 0.09, 1e-12);
+  EXPECT_NEAR(servo.shaft(), 0.09, kArrived);
   servo.command(0.085, 5.0);
   wait(servo, parameters, 0.5);
-  EXPECT_NEAR(servo.shaft(), 0.09, 1e-12) << "within the play nothing turns";
+  EXPECT_NEAR(servo.shaft(), 0.09, kArrived) << "within the play nothing turns";
   servo.command(0.05, 5.0);
   wait(servo, parameters, 0.5);
-  EXPECT_NEAR(servo.shaft(), 0.06, 1e-12);
+  EXPECT_NEAR(servo.shaft(), 0.06, kArrived);
 }
 
 }  // namespace
