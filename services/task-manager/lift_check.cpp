@@ -1,5 +1,7 @@
 #include "services/task-manager/lift_check.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdio>
 
 #include "common/robot/arm_kinematics.hpp"
@@ -20,10 +22,17 @@ Eigen::Vector3d MarkAverage::mean() const {
 
 LiftVerdict check_lift(const robot::ArmDescription& arm, const LiftView& before, const LiftView& after,
                        const LiftDemand& demand) {
-  // The hand's way between both postures, and where its turn takes the target's mark from the hand's.
   const Eigen::Isometry3d way = robot::grip_pose(arm, after.q) * robot::grip_pose(arm, before.q).inverse();
-  const Eigen::Matrix3d turn = way.linear();
-  const Eigen::Vector3d expected = after.p_CM + turn * (before.p_CT - before.p_CM);
+  const Eigen::Quaterniond turn(way.linear());
+  const Eigen::Vector3d p_CG = robot::grip_point(arm, before.q);
+  const Eigen::Vector3d p_CG_after = after.p_CM + turn * (p_CG - before.p_CM);
+
+  // Two pads hold an object like a hinge: where the target's mark is if it hung, and if it turned with the hand.
+  const Eigen::Vector3d p_GT = before.p_CT - p_CG;
+  const Eigen::Vector3d hung = p_CG_after + p_GT;
+  const Eigen::Vector3d arc = p_CG_after + turn * p_GT - hung;
+  const double share = arc.norm() > 0.0 ? std::clamp((after.p_CT - hung).dot(arc) / arc.squaredNorm(), 0.0, 1.0) : 0.0;
+  const Eigen::Vector3d expected = p_CG_after + Eigen::Quaterniond::Identity().slerp(share, turn) * p_GT;
 
   LiftVerdict verdict;
   verdict.error = after.p_CT - expected;
@@ -31,7 +40,7 @@ LiftVerdict check_lift(const robot::ArmDescription& arm, const LiftView& before,
   const double hand_rise = after.p_CM.z() - before.p_CM.z();
   const double target_rise = after.p_CT.z() - before.p_CT.z();
   const double hand_predicted = (way * before.p_CM).z() - before.p_CM.z();
-  const double target_predicted = (way * before.p_CT).z() - before.p_CT.z();
+  const double target_predicted = (way.linear() * p_GT).z() + robot::grip_point(arm, after.q).z() - before.p_CT.z();
   const bool rose = joints_rise >= demand.rise_share * demand.height &&
                     hand_rise >= demand.rise_share * hand_predicted &&
                     target_rise >= demand.rise_share * target_predicted;

@@ -32,7 +32,7 @@ struct LiftView {
 
 struct LiftVerdict {
   bool came_along = false;
-  Eigen::Vector3d error = Eigen::Vector3d::Zero();  // m, the target mark's way less the one it would make with the hand
+  Eigen::Vector3d error = Eigen::Vector3d::Zero();  // m, the target mark's place less the nearest one with the hand
   std::string reason;                               // figures for people
 };
 
@@ -42,9 +42,10 @@ struct LiftDemand {
   double rise_share = 0.0;  // of what kinematics predicts: the least that either mark rises
 };
 
-// The target's mark, fixed to the hand, moves as the hand's mark does, but for the forearm's turn, which kinematics
-// tells. That holds for a scene in which nothing moved as well: the grip point by the joints must have risen, and both
-// marks with it.
+// An object between two pads goes where the hand goes, and turns about the grip point by anything from nothing (it
+// hangs) to the hand's own turn (it is held fast). `error` is to the nearest of these places; all are told from the
+// hand's mark, so that a wrong calibration cancels. A scene in which nothing moved would pass as well: the grip point
+// by the joints must have risen, and both marks with it.
 LiftVerdict check_lift(const robot::ArmDescription& arm, const LiftView& before, const LiftView& after,
                        const LiftDemand& demand);
 

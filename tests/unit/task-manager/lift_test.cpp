@@ -80,6 +80,28 @@ TEST_P(LiftAt, TellsABookThatComesAlongFromOneThatStays) {
   EXPECT_LT(stayed.error.z(), -0.008);
 }
 
+TEST_P(LiftAt, TakesABookThatHangsBetweenThePadsForOneThatComesAlong) {
+  const PosturePath up = plan_lift(arm_, parameters_, q_, p_CG_, 0.012, 0.01);
+  const LiftView before{p_CT_, robot::hand_mark(arm_, q_), q_};
+  const Eigen::Vector3d rise = robot::grip_point(arm_, up.end()) - robot::grip_point(arm_, q_);
+  const LiftView after{p_CT_ + rise, robot::hand_mark(arm_, up.end()), up.end()};
+  const LiftVerdict hangs = check_lift(arm_, before, after, kDemand);
+  EXPECT_TRUE(hangs.came_along) << hangs.reason;
+  EXPECT_LT(hangs.error.norm(), 1e-6);
+}
+
+TEST_P(LiftAt, TellsABookThatSlidesOutOfTheHand) {
+  const PosturePath up = plan_lift(arm_, parameters_, q_, p_CG_, 0.012, 0.01);
+  const LiftView before{p_CT_, robot::hand_mark(arm_, q_), q_};
+  const Eigen::Vector3d rise = robot::grip_point(arm_, up.end()) - robot::grip_point(arm_, q_);
+  for (const Eigen::Vector3d& slide :
+       {Eigen::Vector3d(0.006, 0.0, 0.0), Eigen::Vector3d(0.0, 0.006, 0.0), Eigen::Vector3d(0.0, 0.0, -0.006)}) {
+    const LiftView after{p_CT_ + rise + slide, robot::hand_mark(arm_, up.end()), up.end()};
+    const LiftVerdict slid = check_lift(arm_, before, after, kDemand);
+    EXPECT_FALSE(slid.came_along) << slide.transpose() << ": " << slid.reason;
+  }
+}
+
 TEST_P(LiftAt, WhereNeitherMarkMovedNothingCameAlong) {
   const PosturePath up = plan_lift(arm_, parameters_, q_, p_CG_, 0.012, 0.01);
   const LiftView before{p_CT_, robot::hand_mark(arm_, q_), q_};
