@@ -1,6 +1,7 @@
 #include "services/visual-servo/kinematic_bias.hpp"
 
 #include <Eigen/LU>
+#include <cmath>
 
 #include "common/robot/arm_kinematics.hpp"
 #include "services/visual-servo/in_flight.hpp"
@@ -8,39 +9,58 @@
 namespace markservo::visual_servo {
 namespace {
 
-using Observation = Eigen::Matrix<double, 3, 5>;
+constexpr double kMoving = 0.02;  // rad/s; slower is rounding
 
-// d p_CG by offset and by the lengths of upper arm and forearm.
-Observation observation(const robot::ArmDescription& arm, const robot::JointVector& q) {
+using Observation = Eigen::Matrix<double, 3, 8>;
+
+// How the hand's mark moves at joint speeds `speed` (rad/s), m/s.
+Eigen::Vector3d hand_velocity(const robot::ArmDescription& arm, const robot::JointVector& q,
+                              const robot::JointVector& speed) {
+  constexpr double kSpan_s = 1e-4;
+  return (robot::hand_mark(arm, q + kSpan_s * speed) - robot::hand_mark(arm, q - kSpan_s * speed)) / (2.0 * kSpan_s);
+}
+
+// d p_CM by the states.
+Observation observation(const robot::ArmDescription& arm, const robot::JointVector& q,
+                        const robot::JointVector& directions, const robot::JointVector& speed) {
   Observation h;
   h.leftCols<3>().setIdentity();
   h.col(3) = robot::grip_pose(arm, {q[0], q[1], 0.0}).linear().col(1);
   h.col(4) = robot::grip_pose(arm, q).linear().col(1);
+  h.col(5) = -hand_velocity(arm, q, directions);
+  h.col(6) = -hand_velocity(arm, q, speed);
+  h.col(7) = -hand_velocity(arm, q, speed.cwiseProduct(speed.cwiseAbs()));
   return h;
 }
 
 }  // namespace
 
 void KinematicBias::see(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
-                        const robot::JointVector& q_exposure, const Eigen::Vector3d& p_CM, double grip_speed) {
+                        const robot::JointVector& q_exposure, const robot::JointVector& speed,
+                        const Eigen::Vector3d& p_CM) {
   const auto squared = [](double sigma) { return sigma * sigma; };
   if (!begun_) {
     begun_ = true;
     covariance_.diagonal() << Eigen::Vector3d::Constant(squared(parameters.offset_sigma)),
-        Eigen::Vector2d::Constant(squared(parameters.link_sigma));
+        Eigen::Vector2d::Constant(squared(parameters.link_sigma)), squared(parameters.play_sigma),
+        squared(parameters.lag_sigma), squared(parameters.run_up_sigma);
+  }
+  for (int i = 0; i < robot::kNumJoints; ++i) {
+    if (std::abs(speed[i]) > kMoving) directions_[i] = speed[i] > 0.0 ? 1.0 : -1.0;
   }
   covariance_.diagonal().head<3>().array() += squared(parameters.offset_drift);
-  const Observation h = observation(arm, q_exposure);
-  const double variance = squared(parameters.sight_sigma) + squared(parameters.clock_sigma * grip_speed);
+  const Observation h = observation(arm, q_exposure, directions_, speed);
+  const double variance = squared(parameters.sight_sigma) + squared(parameters.clock_sigma * h.col(6).norm());
   const Eigen::Matrix3d expected = h * covariance_ * h.transpose() + variance * Eigen::Matrix3d::Identity();
-  const Eigen::Matrix<double, 5, 3> gain = covariance_ * h.transpose() * expected.inverse();
+  const Eigen::Matrix<double, kStates, 3> gain = covariance_ * h.transpose() * expected.inverse();
   state_ += gain * (kinematic_bias(arm, q_exposure, p_CM) - h * state_);
-  const Matrix5 updated = (Matrix5::Identity() - gain * h) * covariance_;
+  const Covariance updated = (Covariance::Identity() - gain * h) * covariance_;
   covariance_ = 0.5 * (updated + updated.transpose());
 }
 
-Eigen::Vector3d KinematicBias::at(const robot::ArmDescription& arm, const robot::JointVector& q) const {
-  return observation(arm, q) * state_;
+Eigen::Vector3d KinematicBias::at(const robot::ArmDescription& arm, const robot::JointVector& q,
+                                  const robot::JointVector& directions) const {
+  return observation(arm, q, directions, robot::JointVector::Zero()) * state_;
 }
 
 }  // namespace markservo::visual_servo

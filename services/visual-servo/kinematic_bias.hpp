@@ -1,7 +1,10 @@
 #pragma once
 
-// What sight says that the joints do not: where the arm really stands and how long its links really are, learned on the
-// way by a Kalman filter, so that the entry into the goal is not spoilt by one frame's noise.
+// What sight says that the joints do not: where the arm really stands, how long its links really are, and how far its
+// shafts trail behind what the servos were told. Learned on the way by a Kalman filter, so that the entry into the goal
+// is spoilt neither by one frame's noise nor by what was measured of a moving hand.
+// A shaft trails by play + lag |v| + run_up v^2 against its direction: deadband and backlash, a controller's lag, and a
+// motor that needs a way to gather speed and to brake.
 
 #include <Eigen/Core>
 
@@ -10,29 +13,39 @@
 namespace markservo::visual_servo {
 
 struct KinematicBiasParameters {
-  double offset_sigma = 0.01;    // m, a priori: where the arm stands
-  double link_sigma = 0.002;     // m, a priori: 1% of a link of 0.2 m
-  double sight_sigma = 0.0005;   // m, one frame's hand mark and the servos' small faults
-  double offset_drift = 0.0002;  // m per frame: deadband and backlash move the offset
-  double clock_sigma = 0.003;    // s between a picture and its joint states: a moving hand tells less
+  double offset_sigma = 0.01;     // m, a priori: where the arm stands
+  double link_sigma = 0.002;      // m, a priori: 1% of a link of 0.2 m
+  double sight_sigma = 0.0005;    // m, one frame's hand mark and the servos' small faults
+  double play_sigma = 0.005;      // rad (0.3 degrees), a priori: a deadband, half a backlash
+  double offset_drift = 0.00005;  // m per frame: deadband and backlash move the offset
+  double lag_sigma = 0.010;       // s, a priori: by how much shafts trail behind the joints' word, as speed grows
+  double run_up_sigma = 0.010;  // s^2/rad, a priori: 1 / (2 a) of motors that brake and gather speed at a = 50 rad/s^2
+  double clock_sigma = 0.001;   // s between a picture and its joint states: a moving hand tells less
 };
 
 class KinematicBias {
  public:
-  // Takes one frame: the hand mark's centre `p_CM` (m) with the joints at its exposure (rad); the grip point moved at
-  // `grip_speed` (m/s).
+  // Takes one frame: the hand mark's centre `p_CM` (m) with the joints at its exposure (rad) and the speeds by which
+  // they came there (rad/s).
   void see(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
-           const robot::JointVector& q_exposure, const Eigen::Vector3d& p_CM, double grip_speed);
+           const robot::JointVector& q_exposure, const robot::JointVector& speed, const Eigen::Vector3d& p_CM);
 
-  // To be added to the kinematic grip point (m, in C) at posture `q`.
-  Eigen::Vector3d at(const robot::ArmDescription& arm, const robot::JointVector& q) const;
+  // To be added to the kinematic grip point (m, in C) of a hand at rest in posture `q`, at which its joints arrived in
+  // `directions` (each -1 or 1, 0 where nothing is known).
+  Eigen::Vector3d at(const robot::ArmDescription& arm, const robot::JointVector& q,
+                     const robot::JointVector& directions) const;
+
+  // In which the joints moved last, as `at` takes them.
+  const robot::JointVector& directions() const { return directions_; }
 
  private:
-  using Vector5 = Eigen::Matrix<double, 5, 1>;
-  using Matrix5 = Eigen::Matrix<double, 5, 5>;
+  static constexpr int kStates = 8;
+  using States = Eigen::Matrix<double, kStates, 1>;
+  using Covariance = Eigen::Matrix<double, kStates, kStates>;
   bool begun_ = false;
-  Vector5 state_ = Vector5::Zero();  // m: offset in C, upper arm, forearm
-  Matrix5 covariance_ = Matrix5::Zero();
+  States state_ = States::Zero();  // m: offset in C, upper arm, forearm; rad: play; s: lag; s^2/rad: run-up
+  Covariance covariance_ = Covariance::Zero();
+  robot::JointVector directions_ = robot::JointVector::Zero();
 };
 
 }  // namespace markservo::visual_servo

@@ -37,7 +37,18 @@ void enter(const JointVector& q_goal, const Frame& frame, SightState& state, Sig
   state.phase = Phase::kEnter;
 }
 
+// What the frames since the entry's begin have told of the goal, as far as the last move bears it.
+void refine_entry(const Frame& frame, SightState& state) {
+  const SightParameters& parameters = frame.parameters;
+  JointVector q_goal = state.final;
+  const Eigen::Vector3d p_CG = frame.sight.p_CG_goal - state.bias.at(frame.arm, state.final, state.directions);
+  if (!why_unreachable(frame.arm, p_CG, parameters.joint_margin, q_goal).empty()) return;
+  const double most = parameters.one_sided.last_move_change;
+  state.final += (q_goal - state.final).cwiseMax(-most).cwiseMin(most);
+}
+
 void finish_entry(const Frame& frame, SightState& state, SightAnswer& answer) {
+  if (state.corrections == 0) refine_entry(frame, state);
   answer.step = state.final - frame.q_command;
   answer.at_once = true;
   state.window.clear();
@@ -47,13 +58,14 @@ void finish_entry(const Frame& frame, SightState& state, SightAnswer& answer) {
 void approach(const Frame& frame, SightState& state, SightAnswer& answer) {
   const SightParameters& parameters = frame.parameters;
   JointVector q_goal = frame.q_command;
+  const bool begins = state.phase != Phase::kApproach;
   // The bias at the goal depends a little on the posture there, which depends on the bias.
   for (int i = 0; i < 2; ++i) {
-    const Eigen::Vector3d p_CG = frame.sight.p_CG_goal - state.bias.at(frame.arm, q_goal);
+    const Eigen::Vector3d p_CG = frame.sight.p_CG_goal - state.bias.at(frame.arm, q_goal, state.directions);
     answer.unreachable = why_unreachable(frame.arm, p_CG, parameters.joint_margin, q_goal);
     if (!answer.unreachable.empty()) return;
   }
-  if (state.phase != Phase::kApproach) {
+  if (begins) {
     state.phase = Phase::kApproach;
     state.corrections = 0;
     state.directions = ending_directions(frame.q_command, q_goal);
@@ -87,12 +99,10 @@ void correct(const Frame& frame, const Eigen::Vector3d& error, SightState& state
   state.phase = Phase::kBackOff;
 }
 
-// How fast the grip point moved about the exposure, m/s.
-double grip_speed_at(const robot::ArmDescription& arm, const JointHistory& joints, std::int64_t utime) {
-  constexpr std::int64_t kSpan_us = 10'000;
-  const Eigen::Vector3d before = robot::grip_point(arm, joints.at(utime - kSpan_us));
-  const Eigen::Vector3d after = robot::grip_point(arm, joints.at(utime + kSpan_us));
-  return (after - before).norm() / seconds_between(-kSpan_us, kSpan_us);
+// How fast the joints came to where they were at the exposure, rad/s: what they trail behind comes of the past.
+JointVector speed_at(const JointHistory& joints, std::int64_t utime) {
+  constexpr std::int64_t kSpan_us = 30'000;
+  return (joints.at(utime) - joints.at(utime - kSpan_us)) / seconds_between(0, kSpan_us);
 }
 
 // The error that ends the servoing: finer than asked at first, so that the goal is met with something in hand.
@@ -147,12 +157,12 @@ SightAnswer servo_by_sight(const robot::ArmDescription& arm, const SightParamete
                     command_utime,
                     seen_grip_point(arm, sight.q_exposure, sight.p_CM),
                     sight.tolerance > 0.0 ? sight.tolerance : parameters.tolerance};
-  state.bias.see(arm, parameters.bias, sight.q_exposure, sight.p_CM, grip_speed_at(arm, joints, sight.utime));
+  state.bias.see(arm, parameters.bias, sight.q_exposure, speed_at(joints, sight.utime), sight.p_CM);
 
   SightAnswer answer;
   answer.error = frame.p_CG - sight.p_CG_goal;
   const Eigen::Vector3d error_to_come =
-      predicted_grip_point(arm, q_command, state.bias.at(arm, q_command)) - sight.p_CG_goal;
+      predicted_grip_point(arm, q_command, state.bias.at(arm, q_command, state.bias.directions())) - sight.p_CG_goal;
   const bool astray = error_to_come.norm() > 2.0 * parameters.far;
   if (state.phase == Phase::kStart && error_to_come.norm() <= parameters.near) {
     state.directions = ending_directions(q_command, q_command);

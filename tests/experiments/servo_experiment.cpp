@@ -25,7 +25,6 @@ constexpr double kMarkHeight = 0.032;                        // m, above the len
 constexpr double kStartDistance = 0.15;                      // m
 constexpr double kTolerance = 0.001;                         // m
 constexpr int kMaxFrames = 240;                              // 8 s at 30 Hz: not converged counts as that many
-constexpr double kViewMargin_px = 4.0;
 
 struct Servos {
   std::string name;
@@ -58,8 +57,9 @@ bool both_marks_in_view(const robot::RobotDescription& robot, const robot::Joint
   constexpr double kPlate = 1.5;  // the hand mark's plate, of the mark's edge
   const double hand_top = (X_CM.translation().z() + 0.5 * kPlate * hand_size) / X_CM.translation().y();
   const double target_bottom = (p_CT.z() - 0.5 * target_size) / p_CT.y();
-  return hand_top < target_bottom && robot::view_margin_px(robot.cameras, X_CM, hand_size) >= kViewMargin_px &&
-         robot::view_margin_px(robot.cameras, X_CT, target_size) >= kViewMargin_px;
+  return hand_top < target_bottom &&
+         robot::view_margin_px(robot.cameras, X_CM, hand_size) >= robot.workspace.view_margin_px &&
+         robot::view_margin_px(robot.cameras, X_CT, target_size) >= robot.workspace.view_margin_px;
 }
 
 // A start 15 cm from the goal, at which the arm can be and both cameras see both marks; 15 cm fit into what both see

@@ -33,7 +33,8 @@ ArmSimulator::ArmSimulator(const robot::RobotDescription& robot, const Simulator
 }
 
 void ArmSimulator::place(const JointVector& q, const Eigen::Vector3d& p_CT) {
-  target_ = ramp_ = motor_ = shaft_ = q;
+  joints_.clear();
+  for (int i = 0; i < robot::kNumJoints; ++i) joints_.emplace_back(q[i]);
   p_CT_ = p_CT;
   path_ = {grip_point()};
   deepest_y_ = path_.front().y();
@@ -45,7 +46,7 @@ PoseSample ArmSimulator::expose() {
   pose.frame_session = 1;
   const Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity() * std::pow(settings_.vision_sigma, 2);
   pose.marks.push_back(
-      {"hand", !hide_hand, hide_hand ? "hidden" : "", robot::hand_mark(truth_, shaft_) + noise(), covariance});
+      {"hand", !hide_hand, hide_hand ? "hidden" : "", robot::hand_mark(truth_, shafts()) + noise(), covariance});
   pose.marks.push_back({"red_book", !hide_target, hide_target ? "hidden" : "", p_CT_ + noise(), covariance});
   if (states_.empty() || states_.back().utime != pose.utime) report_joints();  // as the project's simulator does
   poses_.push_back(pose);
@@ -72,40 +73,21 @@ void ArmSimulator::run_until(double time) {
 void ArmSimulator::tick() {
   while (!pending_.empty() && pending_.front().due <= time_ + 1e-9) {
     if (!stopped) {
-      target_ = pending_.front().command.position;
-      speed_ = pending_.front().command.speed_limit;
-      opening_target_ = pending_.front().command.gripper_opening;
+      const Command& command = pending_.front().command;
+      for (int i = 0; i < robot::kNumJoints; ++i) {
+        joints_[static_cast<std::size_t>(i)].command(command.position[i], command.speed_limit[i]);
+      }
+      opening_target_ = command.gripper_opening;
     }
     pending_.pop_front();
   }
   if (stopped) {
-    target_ = ramp_;
+    for (auto& joint : joints_) joint.freeze();
     opening_target_ = std::min(opening, opening_target_);
     if (opening > object_width) opening_target_ = opening;
   }
   opening = towards(opening, std::max(opening_target_, object_width), kGripperSpeed * kTick_s);
-  for (int i = 0; i < robot::kNumJoints; ++i) {
-    const auto joint = static_cast<std::size_t>(i);
-    const double servo_step = truth_.joints[joint].speed * kTick_s;
-    ramp_[i] = towards(ramp_[i], target_[i], std::min(speed_[i] * kTick_s, servo_step));
-    const double band = settings_.servos.deadband_rad;
-    const double lag = ramp_[i] - motor_[i];
-    switch (settings_.servos.deadband) {
-      case Deadband::kNone:
-        motor_[i] = towards(motor_[i], ramp_[i], servo_step);
-        break;
-      case Deadband::kStopsAtEdge:
-        motor_[i] = towards(motor_[i], motor_[i] + lag - std::clamp(lag, -band, band), servo_step);
-        break;
-      case Deadband::kRunsHome:
-        if (std::abs(lag) > band) running_[joint] = true;
-        if (running_[joint]) motor_[i] = towards(motor_[i], ramp_[i], servo_step);
-        if (motor_[i] == ramp_[i]) running_[joint] = false;
-        break;
-    }
-    const double play = 0.5 * settings_.servos.backlash_rad;
-    shaft_[i] = std::clamp(shaft_[i], motor_[i] - play, motor_[i] + play);
-  }
+  for (int i = 0; i < robot::kNumJoints; ++i) joints_[static_cast<std::size_t>(i)].advance(servo(i), kTick_s);
   time_ += kTick_s;
   path_.push_back(grip_point());
   deepest_y_ = std::max(deepest_y_, path_.back().y());
@@ -116,11 +98,29 @@ void ArmSimulator::tick() {
 }
 
 void ArmSimulator::report_joints() {
-  states_.push_back({utime_of(time_), 7, settings_.measured ? shaft_ : ramp_, opening, false});
+  states_.push_back({utime_of(time_), 7, settings_.measured ? shafts() : ramps(), opening, false});
+}
+
+simulator::ServoParameters ArmSimulator::servo(int joint) const {
+  simulator::ServoParameters parameters;
+  parameters.speed = truth_.joints[static_cast<std::size_t>(joint)].speed;
+  parameters.acceleration = settings_.acceleration;
+  parameters.deadband = settings_.servos.deadband_rad;
+  parameters.deadband_kind = settings_.servos.deadband;
+  parameters.backlash = settings_.servos.backlash_rad;
+  return parameters;
+}
+
+JointVector ArmSimulator::ramps() const {
+  return {joints_[0].ramp(), joints_[1].ramp(), joints_[2].ramp()};
+}
+
+JointVector ArmSimulator::shafts() const {
+  return {joints_[0].shaft(), joints_[1].shaft(), joints_[2].shaft()};
 }
 
 Eigen::Vector3d ArmSimulator::grip_point() const {
-  return robot::grip_point(truth_, shaft_);
+  return robot::grip_point(truth_, shafts());
 }
 
 double ArmSimulator::largest_sweep(const Eigen::Vector3d& goal) const {

@@ -7,16 +7,16 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "services/simulator/servo_model.hpp"
 #include "services/visual-servo/servo_state_machine.hpp"
 
 namespace markservo::visual_servo::test {
 
-enum class Deadband { kNone, kStopsAtEdge, kRunsHome };
-
 struct ServoFaults {
   std::string name;
-  Deadband deadband = Deadband::kNone;
+  simulator::DeadbandKind deadband = simulator::DeadbandKind::kStopsAtEdge;
   double deadband_rad = 0.0;  // to each side
   double backlash_rad = 0.0;  // in all, half to each side
 };
@@ -29,6 +29,7 @@ struct SimulatorSettings {
   double vision_sigma = 0.0002;  // m, per axis
   double base_error = 0.003;     // m, per axis, uniform: where the arm really stands
   double link_error = 0.01;      // part, uniform: how long its links really are
+  double acceleration = 100.0;   // rad/s2 of the servos' motors
   bool measured = false;         // joint states show the shafts
 };
 
@@ -69,6 +70,9 @@ class ArmSimulator {
   void run_until(double time);
   void tick();
   void report_joints();
+  simulator::ServoParameters servo(int joint) const;
+  JointVector ramps() const;
+  JointVector shafts() const;
   Eigen::Vector3d noise();
 
   robot::RobotDescription robot_;
@@ -81,13 +85,8 @@ class ArmSimulator {
   std::deque<PoseSample> poses_;
   std::deque<Pending> pending_;
   std::deque<JointSample> states_;
-  JointVector target_ = JointVector::Zero();
-  JointVector speed_ = JointVector::Ones();
   double opening_target_ = 0.05;
-  JointVector ramp_ = JointVector::Zero();
-  JointVector motor_ = JointVector::Zero();
-  JointVector shaft_ = JointVector::Zero();
-  std::array<bool, 3> running_{};
+  std::vector<simulator::ServoModel> joints_;
   Eigen::Vector3d p_CT_ = Eigen::Vector3d::Zero();
   double deepest_y_ = -1e9;
   std::vector<Eigen::Vector3d> path_;

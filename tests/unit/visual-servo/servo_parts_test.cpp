@@ -89,11 +89,32 @@ TEST(KinematicBias, LearnsWhereTheArmStandsAndHowLongItsLinksAre) {
   KinematicBiasParameters parameters;
   for (int i = 0; i < 60; ++i) {
     const JointVector q(0.5 - 0.01 * i, 1.5 - 0.01 * i, -1.8 + 0.02 * i);
-    bias.see(*robot.arm, parameters, q, robot::hand_mark(truth, q), 0.1);
+    bias.see(*robot.arm, parameters, q, JointVector(-0.3, -0.3, 0.6), robot::hand_mark(truth, q));
   }
   const JointVector ahead(-0.2, 0.85, -0.5);  // further on, never seen
   const Eigen::Vector3d expected = robot::grip_point(truth, ahead) - robot::grip_point(*robot.arm, ahead);
-  EXPECT_LT((bias.at(*robot.arm, ahead) - expected).norm(), 0.0003);
+  EXPECT_LT((bias.at(*robot.arm, ahead, bias.directions()) - expected).norm(), 0.0003);
+}
+
+TEST(KinematicBias, IsNotSpoiltByShaftsThatTrailBehindAMovingArm) {
+  const auto robot = the_robot();
+  constexpr double kFrame_s = 1.0 / 30.0;
+  constexpr double kPlay = 0.005;             // rad
+  const JointVector fastest(0.9, -0.9, 1.7);  // rad/s
+  JointVector q(0.3, 1.5, -1.8);
+  KinematicBias bias;
+  for (int frame = -5; frame <= 16; ++frame) {
+    // At rest, gathering speed, braking to a tenth.
+    const JointVector speed = fastest * (frame < 0 ? 0.0 : std::min(1.0, 0.2 * frame) * (frame < 12 ? 1.0 : 0.1));
+    q += kFrame_s * speed;
+    const JointVector directions = frame < 1 ? JointVector::Zero() : JointVector(1.0, -1.0, 1.0);
+    const JointVector trailing = kPlay * directions + 0.004 * speed + 0.005 * speed.cwiseProduct(speed.cwiseAbs());
+    bias.see(*robot.arm, {}, q, speed, robot::hand_mark(*robot.arm, q - trailing));
+  }
+  EXPECT_EQ(bias.directions(), JointVector(1.0, -1.0, 1.0));
+  const Eigen::Vector3d expected =
+      robot::grip_point(*robot.arm, q - kPlay * bias.directions()) - robot::grip_point(*robot.arm, q);
+  EXPECT_LT((bias.at(*robot.arm, q, bias.directions()) - expected).norm(), 0.0003);
 }
 
 TEST(ResolvedRate, LimitsShortenTheStepAndKeepItsDirection) {

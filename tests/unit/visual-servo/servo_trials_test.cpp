@@ -12,12 +12,14 @@ namespace {
 
 constexpr double kDegree = 0.017453292519943295;
 
+using simulator::DeadbandKind;
+
 const ServoFaults kIdeal{"ideal"};
-const ServoFaults kEdge{"deadband, stops at edge", Deadband::kStopsAtEdge, 0.3 * kDegree, 0.0};
-const ServoFaults kHome{"deadband, runs home", Deadband::kRunsHome, 0.3 * kDegree, 0.0};
-const ServoFaults kEdgeBacklash{"edge + 1 deg backlash", Deadband::kStopsAtEdge, 0.3 * kDegree, 1.0 * kDegree};
-const ServoFaults kHomeBacklash{"home + 1 deg backlash", Deadband::kRunsHome, 0.3 * kDegree, 1.0 * kDegree};
-const ServoFaults kBacklash{"1 deg backlash", Deadband::kNone, 0.0, 1.0 * kDegree};
+const ServoFaults kEdge{"deadband, stops at edge", DeadbandKind::kStopsAtEdge, 0.3 * kDegree, 0.0};
+const ServoFaults kHome{"deadband, runs home", DeadbandKind::kRunsHome, 0.3 * kDegree, 0.0};
+const ServoFaults kEdgeBacklash{"edge + 1 deg backlash", DeadbandKind::kStopsAtEdge, 0.3 * kDegree, 1.0 * kDegree};
+const ServoFaults kHomeBacklash{"home + 1 deg backlash", DeadbandKind::kRunsHome, 0.3 * kDegree, 1.0 * kDegree};
+const ServoFaults kBacklash{"1 deg backlash", DeadbandKind::kStopsAtEdge, 0.0, 1.0 * kDegree};
 
 robot::RobotDescription the_robot() {
   return robot::load_robot_description(std::string(MARKSERVO_SOURCE_DIR) + "/config/robot.yaml");
