@@ -1,6 +1,7 @@
 #pragma once
 
-// What a message type carries, asked at compile time: streams have session and seq; answers echo their frame.
+// What a message type carries, asked at compile time: messages have a utime, streams session and seq; answers echo
+// their frame.
 
 #include <cstdint>
 #include <type_traits>
@@ -8,14 +9,19 @@
 namespace markservo::bus {
 
 template <class M, class = void>
+struct has_utime : std::false_type {};
+template <class M>
+struct has_utime<M, std::void_t<decltype(M::utime)>> : std::true_type {};
+
+template <class M, class = void>
 struct has_seq : std::false_type {};
 template <class M>
 struct has_seq<M, std::void_t<decltype(M::session), decltype(M::seq)>> : std::true_type {};
 
 template <class M, class = void>
-struct has_session : std::false_type {};
+struct answers_frame : std::false_type {};
 template <class M>
-struct has_session<M, std::void_t<decltype(M::session)>> : std::true_type {};
+struct answers_frame<M, std::void_t<decltype(M::frame_utime)>> : std::true_type {};
 
 // Hands the identity of the frame on: from the frame itself or from another answer to it.
 template <class Answer, class From>

@@ -26,7 +26,7 @@ class Publisher {
       message.session = session_;
       message.seq = seq_ + 1;
     }
-    if (const std::string why = violation(message); !why.empty()) {
+    if (const std::string why = broken_rule(message); !why.empty()) {
       throw std::invalid_argument("publish on " + channel_ + ": " + why);
     }
     buffer_.resize(static_cast<std::size_t>(message.getEncodedSize()));

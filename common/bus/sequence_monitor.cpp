@@ -11,7 +11,7 @@ void SequenceMonitor::observe(int64_t session, int64_t seq) {
     earlier_.push_back(session_);
     if (earlier_.size() > kRemembered) earlier_.pop_front();
   } else if (session_ != 0 && seq > seq_ + 1) {
-    lost_ += seq - seq_ - 1;
+    lost_ = std::min(lost_ + (seq - seq_ - 1), kMaxLost);
   }
   session_ = session;
   seq_ = seq;

@@ -6,7 +6,8 @@
 namespace markservo::bus {
 
 // Follows (session, seq) of one channel: counts what was lost and notices a second writer.
-// A writer that restarts changes the session once; when an earlier session speaks again, two write at the same time.
+// `session` is 1 or more and `seq` 0 to 2^53, as the message rules demand. A writer that restarts changes the session
+// once; when an earlier session speaks again, two write at the same time.
 class SequenceMonitor {
  public:
   void observe(int64_t session, int64_t seq);
@@ -18,6 +19,8 @@ class SequenceMonitor {
 
  private:
   static constexpr std::size_t kRemembered = 16;  // earlier sessions; more restarts than that in a row prove nothing
+
+  static constexpr int64_t kMaxLost = int64_t{1} << 62;  // a hostile writer's gaps add up to no more
 
   int64_t session_ = 0;
   int64_t seq_ = 0;

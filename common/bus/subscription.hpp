@@ -76,7 +76,7 @@ class TypedSubscription final : public Subscription {
       host_->complain(channel_, decoded.error);
       return;
     }
-    if (const std::string why = violation(decoded.message); !why.empty()) return refuse(why);
+    if (const std::string why = broken_rule(decoded.message); !why.empty()) return refuse(why);
     if (host_->from_the_future(decoded.message.utime)) {
       return refuse("utime " + std::to_string(decoded.message.utime) +
                     " us is ahead of this host's clock; allowed: at most 20 ms");

@@ -105,8 +105,8 @@ JointVector speed_at(const JointHistory& joints, std::int64_t utime) {
   return (joints.at(utime) - joints.at(utime - kSpan_us)) / seconds_between(0, kSpan_us);
 }
 
-// The error that ends the servoing: finer than asked at first, so that the goal is met with something in hand.
-double accepted_error(const Frame& frame, const SightState& state) {
+// The error that is aimed at: finer than asked at first, so that the goal is met with something in hand.
+double fine_error(const Frame& frame, const SightState& state) {
   const SightParameters& parameters = frame.parameters;
   if (state.corrections >= parameters.fine_corrections) return frame.tolerance;
   return std::min(frame.tolerance, std::max(parameters.fine_tolerance, parameters.fine_part * frame.tolerance));
@@ -114,15 +114,22 @@ double accepted_error(const Frame& frame, const SightState& state) {
 
 void settle(const Frame& frame, SightState& state, SightAnswer& answer) {
   if (!rests(frame, frame.sight.utime)) return;
+  const SightParameters& parameters = frame.parameters;
   answer.settled = true;
-  state.window.add(frame.parameters.settling, frame.p_CG);
+  state.window.add(parameters.settling, frame.p_CG);
   answer.frames = state.window.size();
   answer.error = state.window.mean() - frame.sight.p_CG_goal;
-  if (!state.window.ready(frame.parameters.settling)) return;
-  if (answer.error.norm() <= accepted_error(frame, state)) {
+  if (!state.window.ready(parameters.settling)) return;
+
+  const double error = answer.error.norm();
+  const double fine = fine_error(frame, state);
+  const bool sure = answer.frames >= parameters.settling.frames_in_doubt;
+  if (error <= fine || (sure && error <= frame.tolerance - parameters.sure)) {
     state.phase = Phase::kConverged;
     answer.converged = true;
-  } else if (answer.error.norm() > frame.parameters.far) {
+  } else if (!sure && error <= fine + parameters.doubt) {
+    state.window.look_longer();
+  } else if (error > parameters.far) {
     approach(frame, state, answer);
   } else {
     correct(frame, answer.error, state, answer);

@@ -28,7 +28,9 @@ struct SightParameters {
   double near = 0.005;       // m; a goal that begins nearer than this is judged before anything moves
   double far = 0.015;        // m; errors larger than this are approached anew rather than corrected
   double tolerance = 0.001;  // m, when the goal states none
-  double fine_tolerance = 0.0008;  // m, aimed at while corrections help: what judging by 4 frames can tell
+  double fine_tolerance = 0.0007;  // m, aimed at while corrections help: what judging by 4 frames can tell
+  double doubt = 0.0003;           // m above what is aimed at: four frames cannot tell, so more are averaged
+  double sure = 0.0001;            // m below the goal's tolerance, with which that average meets it
   double fine_part = 0.4;          // of the goal's tolerance is aimed at, when that is more
   int fine_corrections = 4;        // after so many the goal's tolerance will do
   double leave_factor = 2.0;       // x tolerance: a converged goal is left behind when the error exceeds this

@@ -20,12 +20,14 @@ std::optional<std::int64_t> at_rest_since(const SettlingParameters& parameters, 
 void SettledWindow::clear() {
   samples_.clear();
   seen_ = 0;
+  in_doubt_ = false;
 }
 
 void SettledWindow::add(const SettlingParameters& parameters, const Eigen::Vector3d& p) {
   ++seen_;
   samples_.push_back(p);
-  const int kept = seen_ > parameters.patience ? parameters.patience : parameters.frames;
+  int kept = in_doubt_ ? parameters.frames_in_doubt : parameters.frames;
+  if (seen_ > parameters.patience) kept = parameters.patience;
   while (size() > kept) samples_.pop_front();
 }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <markservo/StopState.hpp>
+#include <markservo/TargetPose.hpp>
+#include <stdexcept>
 
 #include "tests/unit/bus/bus_fixture.hpp"
 
@@ -105,6 +108,36 @@ TEST_F(BusAccounting, NotANumberIsRefused) {
   deliver(state, 7, 1);
   EXPECT_EQ(counted().refused, 1);
   EXPECT_EQ(handled_, 0);
+}
+
+TEST_F(BusAccounting, ImpossibleTimesSessionsAndNumbersAreRefused) {
+  constexpr int64_t kLeast = std::numeric_limits<int64_t>::min();
+  constexpr int64_t kMost = std::numeric_limits<int64_t>::max();
+  deliver(joint_state(1), 7, 1);
+  int64_t refused = 0;
+  for (const int64_t utime : {int64_t{-1}, kLeast, kMost}) deliver(joint_state(utime), 7, ++refused + 1);
+  for (const int64_t session : {int64_t{0}, int64_t{-7}, kLeast}) deliver(joint_state(1), session, ++refused + 1);
+  for (const int64_t seq : {int64_t{-1}, kLeast, kMost}) {
+    deliver(joint_state(1), 7, seq);
+    ++refused;
+  }
+  EXPECT_EQ(counted().refused, refused);
+  EXPECT_EQ(counted().lost, 0);
+  EXPECT_EQ(handled_, 1);
+}
+
+TEST_F(BusAccounting, AnswerThatNamesAnotherTimeThanItsFramesIsRefused) {
+  Bus bus(parameters());
+  int handled = 0;
+  bus.on_each<TargetPose>("TARGET_POSE", [&handled](const TargetPose&) { ++handled; });
+  TargetPose pose{};
+  pose.utime = pose.frame_utime = 1000;
+  auto publisher = bus.advertise<TargetPose>("TARGET_POSE");
+  publisher.publish(pose);
+  pose.utime = 2000;
+  EXPECT_THROW(publisher.publish(pose), std::invalid_argument);
+  settle(bus);
+  EXPECT_EQ(handled, 1);
 }
 
 TEST_F(BusAccounting, MessageFromTheFutureIsRefused) {

@@ -17,6 +17,8 @@ class Replay : public BusTest {
     lcm::LCM log("file://" + path("in.lcm") + "?mode=w");
     for (int64_t utime = 1; utime <= 50; ++utime) {
       auto state = joint_state(utime);
+      state.session = 7;
+      state.seq = utime;
       log.publish("JOINT_STATE", &state);
     }
   }

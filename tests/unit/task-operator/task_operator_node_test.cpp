@@ -70,7 +70,7 @@ class OperatorOnABus : public ::testing::Test {
   }
   void speak() {
     utime_ += 20'000;
-    stop_.utime = task_.utime = utime_;
+    stop_.utime = task_.utime = task_.frame_utime = utime_;
     stop_.device = "arm";
     stop_.latched = latched_ ? 1 : 0;
     stop_states_.publish(stop_);

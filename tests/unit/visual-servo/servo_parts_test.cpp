@@ -79,6 +79,21 @@ TEST(InFlight, PredictsTheMotionThatIsNotYetSeen) {
             1e-12);
 }
 
+TEST(SettledWindow, RemembersMoreFramesOnlyWhileInDoubt) {
+  const SettlingParameters parameters;
+  SettledWindow window;
+  for (int i = 0; i < 4; ++i) window.add(parameters, Eigen::Vector3d(0.0002, 0.0, 0.0));
+  window.add(parameters, Eigen::Vector3d::Zero());
+  EXPECT_EQ(window.size(), 4);
+  window.look_longer();
+  for (int i = 0; i < 4; ++i) window.add(parameters, Eigen::Vector3d::Zero());
+  EXPECT_EQ(window.size(), 8);
+  EXPECT_NEAR(window.mean().x(), 0.000075, 1e-9);
+  window.clear();
+  for (int i = 0; i < 6; ++i) window.add(parameters, Eigen::Vector3d::Zero());
+  EXPECT_EQ(window.size(), 4);
+}
+
 TEST(KinematicBias, LearnsWhereTheArmStandsAndHowLongItsLinksAre) {
   const auto robot = the_robot();
   robot::ArmDescription truth = *robot.arm;
