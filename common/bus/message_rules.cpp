@@ -1,5 +1,6 @@
 #include "common/bus/message_rules.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <vector>
@@ -9,6 +10,9 @@ namespace {
 
 constexpr int32_t kMaxImageSide = 16384;  // px
 constexpr double kMaxCovariance = 1e6;    // m^2; beyond it the value says nothing
+constexpr double kMaxMarkVariance = 4e5;  // m^2; an answer may add two marks' and stays below the above
+constexpr double kMaxPosition = 1e4;      // m; nothing a robot sees or reaches is farther
+constexpr double kMaxAngle = 1e4;         // rad, of a joint
 
 bool all_finite(std::initializer_list<double> values) {
   for (const double value : values) {
@@ -26,6 +30,15 @@ bool all_finite(const std::vector<double>& values) {
 
 bool finite(const Vector3& v) {
   return all_finite({v.x, v.y, v.z});
+}
+
+// Finite, and so near that sums and squares of it stay finite too.
+bool near(const Vector3& v) {
+  return finite(v) && std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= kMaxPosition;
+}
+
+std::string not_near(const char* field) {
+  return std::string(field) + " is not finite or beyond 10 km; allowed: -10000 to 10000 m";
 }
 
 std::string not_finite(const char* field) {
@@ -77,6 +90,9 @@ std::string joints_violation(int32_t num_joints, std::initializer_list<const std
   if (num_joints < 0 || num_joints > kMaxJoints) return wrong("num_joints", num_joints, "0 to 16");
   for (const auto* vector : vectors) {
     if (!all_finite(*vector)) return not_finite("a joint's value");
+    for (const double value : *vector) {
+      if (std::abs(value) > kMaxAngle) return wrong("a joint's value", value, "-10000 to 10000 rad or rad/s");
+    }
   }
   return {};
 }
@@ -87,11 +103,13 @@ std::string gripper_violation(double opening, double force) {
   return {};
 }
 
-std::string covariance_violation(const Covariance3& c) {
+std::string covariance_violation(const Covariance3& c, double most) {
   if (!all_finite({c.xx, c.xy, c.xz, c.yy, c.yz, c.zz})) return not_finite("covariance");
   for (const double variance : {c.xx, c.yy, c.zz}) {
-    if (variance < 0.0 || variance > kMaxCovariance)
-      return wrong("covariance", variance, "0 to 1e6 m^2 on the diagonal");
+    if (variance < 0.0 || variance > most) {
+      return wrong("covariance", variance,
+                   "not negative, and not so large that it says nothing, on the diagonal (m^2)");
+    }
   }
   return {};
 }
@@ -125,15 +143,17 @@ std::string violation(const MarkDetection& detection) {
 
 std::string violation(const TargetPose& pose) {
   for (const auto& mark : pose.marks) {
-    if (!finite(mark.p_C) || !finite(mark.normal_C)) return not_finite("a mark's position");
-    if (auto why = covariance_violation(mark.covariance); !why.empty()) return "mark " + mark.name + ": " + why;
+    if (!near(mark.p_C) || !near(mark.normal_C)) return not_near("a mark's position or normal");
+    if (auto why = covariance_violation(mark.covariance, kMaxMarkVariance); !why.empty()) {
+      return "mark " + mark.name + ": " + why;
+    }
   }
   return {};
 }
 
 std::string violation(const ServoGoal& goal) {
   if (goal.kind < ServoGoal::HOLD || goal.kind > ServoGoal::SERVO) return wrong("kind", goal.kind, "0, 1 or 2");
-  if (!finite(goal.p_TG_C)) return not_finite("p_TG_C");
+  if (!near(goal.p_TG_C)) return not_near("p_TG_C");
   if (!all_finite({goal.tolerance, goal.speed}) || goal.tolerance < 0.0 || goal.speed < 0.0) {
     return wrong("tolerance or speed", goal.tolerance, "0 or more");
   }
@@ -143,7 +163,7 @@ std::string violation(const ServoGoal& goal) {
 
 std::string violation(const ServoStatus& status) {
   if (!finite(status.error_C)) return not_finite("error_C");
-  return covariance_violation(status.covariance);
+  return covariance_violation(status.covariance, kMaxCovariance);
 }
 
 std::string violation(const JointCommand& command) {
@@ -165,7 +185,7 @@ std::string violation(const TaskCommand& command) {
   if (command.kind < TaskCommand::START || command.kind > TaskCommand::HOME) {
     return wrong("kind", command.kind, "0, 1 or 2");
   }
-  return finite(command.p_CT_expected) ? "" : not_finite("p_CT_expected");
+  return near(command.p_CT_expected) ? "" : not_near("p_CT_expected");
 }
 
 std::string violation(const SimControl& control) {

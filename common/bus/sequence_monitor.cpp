@@ -13,8 +13,8 @@ void SequenceMonitor::observe(int64_t session, int64_t seq) {
   } else if (session_ != 0 && seq > seq_ + 1) {
     lost_ = std::min(lost_ + (seq - seq_ - 1), kMaxLost);
   }
+  seq_ = session == session_ ? std::max(seq_, seq) : seq;  // one that comes late or twice loses nothing
   session_ = session;
-  seq_ = seq;
 }
 
 }  // namespace markservo::bus

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -26,6 +27,15 @@ std::string age_text(const char* what, double seconds, double allowed) {
   char text[128];
   std::snprintf(text, sizeof text, "%s by %.2f s, allowed %.2f s", what, seconds, allowed);
   return text;
+}
+
+// Remembers that the goal, and all before it, have been ended by a stop.
+void drop(const Goal& goal, State& state) {
+  constexpr std::size_t kSenders = 64;  // as many as a hostile one may make us remember
+  state.dropped[goal.session] = goal.id;
+  if (state.dropped.size() <= kSenders) return;
+  const auto first = state.dropped.begin();
+  state.dropped.erase(first->first == goal.session ? std::next(first) : first);
 }
 
 }  // namespace
@@ -56,7 +66,7 @@ bool ServoStateMachine::observe(const Goal& goal, State& state) const {
   const auto dropped = state.dropped.find(goal.session);
   if (dropped != state.dropped.end() && goal.id <= dropped->second) return false;
   if (state.stop_latched.value_or(false)) {
-    state.dropped[goal.session] = goal.id;
+    drop(goal, state);
     return false;
   }
   if (state.goal) {
@@ -83,7 +93,7 @@ void ServoStateMachine::observe_stop(bool latched, const std::string& reason, St
   // Even if the reset comes before the next picture: what was commanded before the stop must not be resumed.
   if (latched || was_latched) state.adopt_joints = true;
   if (!latched || !state.goal) return;
-  state.dropped[state.goal->session] = state.goal->id;
+  drop(*state.goal, state);
   state.goal.reset();
 }
 

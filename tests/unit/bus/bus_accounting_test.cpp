@@ -67,6 +67,11 @@ TEST_F(BusAccounting, GapsInSeqAreLost) {
   EXPECT_EQ(handled_, 5);
 }
 
+TEST_F(BusAccounting, OneThatComesLateOrTwiceIsNoLoss) {
+  for (const int64_t seq : {10, 9, 11, 9, 12}) deliver(joint_state(seq), 7, seq);
+  EXPECT_EQ(counted().lost, 0);
+}
+
 TEST_F(BusAccounting, RestartOfTheWriterLosesNothing) {
   deliver(joint_state(1), 7, 41);
   deliver(joint_state(2), 8, 1);
