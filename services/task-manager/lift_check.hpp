@@ -44,8 +44,8 @@ struct LiftDemand {
 
 // An object between two pads goes where the hand goes, and turns about the grip point by anything from nothing (it
 // hangs) to the hand's own turn (it is held fast). `error` is to the nearest of these places; all are told from the
-// hand's mark, so that a wrong calibration cancels. A scene in which nothing moved would pass as well: the grip point
-// by the joints must have risen, and both marks with it.
+// hand's mark, so that a wrong calibration cancels, but for its turn (10 mm and 3 degrees: 0.5 mm). A scene in which
+// nothing moved would pass as well: the grip point by the joints must have risen, and both marks with it.
 LiftVerdict check_lift(const robot::ArmDescription& arm, const LiftView& before, const LiftView& after,
                        const LiftDemand& demand);
 

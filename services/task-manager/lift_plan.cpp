@@ -7,6 +7,21 @@
 
 namespace markservo::task_manager {
 
+namespace {
+
+// How far the grip point must go in x so that the middle of an object that has turned with the hand is where it was.
+double way_aside(const robot::ArmDescription& arm, const Eigen::Vector3d& p_CG, double object_middle) {
+  const Eigen::Vector2d p_CA = robot::arm_base_pose(arm).translation().head<2>();
+  double aside = 0.0;
+  for (int i = 0; i < 3; ++i) {  // the hand's direction changes a little with the way
+    const Eigen::Vector2d hand = p_CG.head<2>() + Eigen::Vector2d(aside, 0.0) - p_CA;
+    aside = -object_middle * hand.normalized().x();
+  }
+  return aside;
+}
+
+}  // namespace
+
 PosturePath plan_lift(const robot::ArmDescription& arm, const Parameters& parameters, const robot::JointVector& start,
                       const Eigen::Vector3d& p_CG_place, double height, double opening) {
   constexpr double kBendStep = 0.001;    // m
@@ -15,10 +30,13 @@ PosturePath plan_lift(const robot::ArmDescription& arm, const Parameters& parame
   const double z_end = p_CG_place.z() + height;
   const int pieces = std::max(1, static_cast<int>(std::ceil((z_end - path.end_point().z()) / kHeightStep)));
   const double z_start = path.end_point().z();
+  const double aside = way_aside(arm, p_CG_place, parameters.lift.object_middle);
+  const double turning = std::max(1e-6, parameters.lift.check_height - parameters.lift.free_height);
   double bend = std::max(0.0, p_CG_place.y() - path.end_point().y());
   for (int i = 1; i <= pieces && path.reachable(); ++i) {
     Eigen::Vector3d point = p_CG_place;
     point.z() = z_start + (z_end - z_start) * (static_cast<double>(i) / pieces);
+    point.x() += aside * std::clamp((point.z() - p_CG_place.z() - parameters.lift.free_height) / turning, 0.0, 1.0);
     const auto reachable = [&](double back) {
       const Eigen::Vector3d bent = point - Eigen::Vector3d(0.0, back, 0.0);
       return robot::inverse_kinematics(arm, bent, parameters.motion.joint_margin).status ==

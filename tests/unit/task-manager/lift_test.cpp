@@ -116,6 +116,19 @@ TEST_P(LiftAt, WhereNeitherMarkMovedNothingCameAlong) {
 
 INSTANTIATE_TEST_SUITE_P(Depths, LiftAt, ::testing::Values(0.20, 0.25, 0.30));
 
+TEST(Lift, KeepsTheMiddleOfATurningObjectBetweenItsNeighbours) {
+  const robot::RobotDescription robot = default_robot();
+  const Parameters parameters;
+  const Eigen::Vector3d p_CG = Eigen::Vector3d(0.10, 0.30, 0.032) + robot.find_mark("red_book")->grip->p_TG;
+  const robot::JointVector q = robot::inverse_kinematics(*robot.arm, p_CG, 0.0).q;
+  const PosturePath path = plan_lift(*robot.arm, parameters, q, p_CG, 0.012, 0.01);
+  ASSERT_TRUE(path.reachable());
+  const Eigen::Vector3d hand = robot::grip_pose(*robot.arm, path.end()).linear().col(1);
+  const double middle_x = path.end_point().x() + parameters.lift.object_middle * hand.head<2>().normalized().x();
+  EXPECT_NEAR(middle_x, p_CG.x(), 0.0002);
+  EXPECT_LT(path.end_point().x(), p_CG.x() - 0.008) << "it had to give way";
+}
+
 TEST(MarkAverage, CountsEachFrameOnce) {
   MarkAverage average;
   average.add(1, {1.0, 0.0, 0.0});
