@@ -31,7 +31,7 @@ void ProcedureStep::run() {
     if (s_.inbox.accept(command.session, command.id)) execute(command);
   }
   watch_the_servo();
-  if (busy(s_.phase)) run_phase();
+  if (under_way(s_.phase)) run_phase();
   if (s_.goal.id == 0 && in_.arm && robot_.arm) hold();
 
   const bool send_goal = s_.goal.id != 0 && (s_.goal_is_new || s_.repeat.due(in_.utime));
@@ -54,7 +54,7 @@ void ProcedureStep::watch_the_arm() {
   const bool restarted = s_.arm_session != 0 && s_.arm_session != in_.arm->session;
   s_.arm_session = in_.arm->session;
   if (!restarted) return;
-  if (busy(s_.phase) || s_.phase == Phase::kHoldLifted) {
+  if (under_way(s_.phase) || s_.phase == Phase::kHoldLifted) {
     stop("the arm restarted");
   } else if (s_.goal.id != 0) {
     hold();  // what the arm was told in its former life is not its state any more
@@ -67,10 +67,10 @@ void ProcedureStep::watch_the_stop_devices() {
   // The first word of a stop device may tell of a stop that is reset by now: a task that waited for it goes on.
   const bool first_word = s_.phase == Phase::kLook && !known_before && s_.attempt == 1;
   const bool stopped = in_.stop.latched || (in_.stop.meanwhile && !first_word);
-  if (!in_.stop.known && known_before && busy(s_.phase) && s_.phase != Phase::kLook) {
+  if (!in_.stop.known && known_before && under_way(s_.phase) && s_.phase != Phase::kLook) {
     stop("a stop device is silent: no STOP_STATE of " + in_.stop.silent);
   }
-  if (stopped && (busy(s_.phase) || s_.phase == Phase::kHoldLifted)) {
+  if (stopped && (under_way(s_.phase) || s_.phase == Phase::kHoldLifted)) {
     if (first_word) {
       refuse("stop is latched: reset it first (" + in_.stop.reason + ")");
     } else {
@@ -87,7 +87,7 @@ void ProcedureStep::watch_the_servo() {
     if (now && !since) since = in_.utime;
     return now && seconds_between(*since, in_.utime) > p_.motion.stale_timeout;
   };
-  const bool moving = busy(s_.phase) && s_.phase != Phase::kLook;
+  const bool moving = under_way(s_.phase) && s_.phase != Phase::kLook;
   if (lasts(moving && in_.servo.state == ServoState::kStale, s_.stale_since)) {
     fail("the arm holds for want of fresh input: " + in_.servo.reason);
   }
@@ -99,7 +99,7 @@ void ProcedureStep::watch_the_servo() {
 // A reset simulator or a person may have taken the object away while nothing was under way.
 void ProcedureStep::watch_the_hand() {
   if (!s_.holding.something || !in_.arm) return;
-  if (busy(s_.phase)) {
+  if (under_way(s_.phase)) {
     s_.holding.q = in_.arm->q;
     return;
   }
@@ -123,7 +123,7 @@ void ProcedureStep::execute(const Command& command) {
       home();
       break;
     case CommandKind::kAbort:
-      if (busy(s_.phase)) {
+      if (under_way(s_.phase)) {
         stop("aborted by operator");
       } else {
         out_.notices.emplace_back("nothing to abort");
@@ -150,7 +150,7 @@ std::string ProcedureStep::why_no_task(const Command& command) const {
 }
 
 void ProcedureStep::start(const Command& command) {
-  if (busy(s_.phase)) {
+  if (under_way(s_.phase)) {
     out_.notices.push_back("START of '" + command.target + "' ignored: " + s_.task.target + " is under way (" +
                            name_of(s_.phase) + "); abort it first");
     return;
@@ -176,7 +176,7 @@ void ProcedureStep::start(const Command& command) {
 }
 
 void ProcedureStep::home() {
-  if (busy(s_.phase)) {
+  if (under_way(s_.phase)) {
     out_.notices.push_back(std::string("HOME ignored: a task is under way (") + name_of(s_.phase) +
                            "); abort it first");
     return;
@@ -229,7 +229,7 @@ void ProcedureStep::fail(const std::string& reason) {
 
 void ProcedureStep::stop(const std::string& reason) {
   // What is lifted stays lifted; a task that was under way did not succeed.
-  if (busy(s_.phase) && s_.result == Result::kNone) s_.result = Result::kFailed;
+  if (under_way(s_.phase) && s_.result == Result::kNone) s_.result = Result::kFailed;
   enter(Phase::kStopped, reason);
   if (robot_.arm) hold();
 }

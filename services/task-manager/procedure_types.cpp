@@ -2,17 +2,6 @@
 
 namespace markservo::task_manager {
 
-const char* name_of(Phase phase) {
-  static constexpr const char* kNames[] = {"IDLE",   "LOOK",    "APPROACH", "SERVO",   "GRIP",    "LIFT",
-                                           "VERIFY", "LIFT_ON", "CARRY",    "RELEASE", "GO_HOME", "HOLD_LIFTED",
-                                           "DONE",   "REFUSED", "FAILED",   "STOPPED"};
-  return kNames[static_cast<std::size_t>(phase)];
-}
-
-bool busy(Phase phase) {
-  return phase >= Phase::kLook && phase <= Phase::kGoHome;
-}
-
 std::string describe_sight(const MarkReport& mark) {
   const std::string subject = "the mark of " + mark.name + " ";
   switch (mark.sight) {

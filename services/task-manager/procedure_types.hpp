@@ -10,34 +10,11 @@
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
+#include "common/task/task_phase.hpp"
 
 namespace markservo::task_manager {
 
-// As TaskState.lcm numbers them.
-enum class Phase {
-  kIdle,
-  kLook,
-  kApproach,
-  kServo,
-  kGrip,
-  kLift,
-  kVerify,
-  kLiftOn,
-  kCarry,
-  kRelease,
-  kGoHome,
-  kHoldLifted,
-  kDone,
-  kRefused,
-  kFailed,
-  kStopped,
-};
-
-// A name as in TaskState.lcm: "IDLE", "LOOK", ...
-const char* name_of(Phase phase);
-
-// True while a task or a way home is under way.
-bool busy(Phase phase);
+using Phase = TaskPhase;
 
 // As TaskState.lcm numbers them.
 enum class Result { kNone, kLifted, kRefused, kFailed };

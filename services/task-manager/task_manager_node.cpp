@@ -177,7 +177,7 @@ void TaskManagerNode::tell(const Output& output, std::int64_t utime) {
   const bool changed = !told_ || told_->phase != output.phase || told_->reason != output.reason ||
                        told_->command_id != output.command_id || told_->command_session != output.command_session;
   if (!changed) return;
-  const bool begins = busy(output.phase) && (!told_ || !busy(told_->phase));
+  const bool begins = under_way(output.phase) && (!told_ || !under_way(told_->phase));
   if (begins) task_began_ = utime;
   const double seconds = task_began_ == 0 ? 0.0 : seconds_between(task_began_, utime);
   spdlog::info("{:8.2f} s  {}{}{}{}", seconds, name_of(output.phase), output.target.empty() ? "" : " ", output.target,

@@ -7,10 +7,6 @@
 namespace markservo::task_operator {
 namespace {
 
-bool under_way(Phase phase) {
-  return phase >= Phase::kLook && phase <= Phase::kGoHome;
-}
-
 std::string with_reason(const std::string& text, const std::string& reason) {
   return reason.empty() ? text : text + ": " + reason;
 }
@@ -35,13 +31,6 @@ std::string timed(double time, const std::string& text) {
 }
 
 }  // namespace
-
-const char* name_of(Phase phase) {
-  constexpr std::array<const char*, 16> kNames = {"idle",   "look",    "approach", "servo",   "grip",    "lift",
-                                                  "verify", "lift on", "carry",    "release", "go home", "lifted",
-                                                  "done",   "refused", "failed",   "stopped"};
-  return kNames.at(static_cast<std::size_t>(phase));
-}
 
 Dialogue::Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters)
     : action_(action), stop_devices_(std::move(stop_devices)), parameters_(parameters), clear_(!moves()) {}

@@ -8,32 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "common/task/task_phase.hpp"
+
 namespace markservo::task_operator {
 
 enum class Action { kStart, kAbort, kHome, kStop, kReset };
 
-// As TaskState.lcm numbers them.
-enum class Phase {
-  kIdle,
-  kLook,
-  kApproach,
-  kServo,
-  kGrip,
-  kLift,
-  kVerify,
-  kLiftOn,
-  kCarry,
-  kRelease,
-  kGoHome,
-  kHoldLifted,
-  kDone,
-  kRefused,
-  kFailed,
-  kStopped,
-};
-
-// A word for a person: "look", "lift on", "lifted", ...
-const char* name_of(Phase phase);
+using Phase = TaskPhase;
 
 // What STOP_STATE says of one device.
 struct StopReport {

@@ -32,9 +32,19 @@ struct DemoOptions {
   bool lockstep = false;
 };
 
-double seconds(int64_t utime) {
-  return 1e-6 * static_cast<double>(utime);
-}
+// Seconds of the world's time that went by, whatever it begins with anew: a simulator that restarts sets it back.
+class CourseClock {
+ public:
+  void see(int64_t utime) {
+    if (last_ && utime > *last_) passed_us_ += utime - *last_;
+    last_ = utime;
+  }
+  double seconds() const { return 1e-6 * static_cast<double>(passed_us_); }
+
+ private:
+  std::optional<int64_t> last_;
+  int64_t passed_us_ = 0;
+};
 
 struct ServoResult {
   int frames = 0;
@@ -85,7 +95,7 @@ class Demo {
     start.target = demo_.target;
     start.carry = demo_.carry;
     rig_.command(start);
-    begin_ = rig_.truth().utime;
+    clock_.see(rig_.truth().utime);
     const SimTruth before = rig_.truth();
     Course course;
     int8_t shown = -1;
@@ -103,12 +113,12 @@ class Demo {
       if (task.state == TaskState::SERVO) ++course.servo.frames;
       stale_motion_.observe(rig_.truth(), task.state);
       course.lift.observe(rig_.truth(), demo_.target, task.state);
-      const double elapsed = seconds(rig_.truth().utime - begin_);
+      const double elapsed = clock_.seconds();
       if (ended(task, demo_.carry) || elapsed > kPatience) {
         course.duration = elapsed;
         break;
       }
-      rig_.step([this] { return rig_.task_answered(); });
+      step();
     }
     course.last = rig_.task();
     watch_the_aftermath(course, before);
@@ -119,13 +129,18 @@ class Demo {
   const StaleMotionWatch& stale_motion() const { return stale_motion_; }
 
  private:
+  void step() {
+    rig_.step([this] { return rig_.task_answered(); });
+    clock_.see(rig_.truth().utime);
+  }
+
   // A lifted book must still hang there a second later, a carried one stand, and the arm must come to rest.
   void watch_the_aftermath(Course& course, const SimTruth& before) {
-    const int64_t end = rig_.truth().utime;
+    const double end = clock_.seconds();
     std::optional<SimTruth> earlier;
-    const auto elapsed = [&] { return seconds(rig_.truth().utime - end); };
+    const auto elapsed = [&] { return clock_.seconds() - end; };
     while (elapsed() < kAftermath) {
-      rig_.step([this] { return rig_.task_answered(); });
+      step();
       course.lift.observe(rig_.truth(), demo_.target, course.last.state);
       if (!earlier && elapsed() >= kAftermath - kRestTime) earlier = rig_.truth();
     }
@@ -141,8 +156,8 @@ class Demo {
   }
 
   void tell(const TaskState& task) const {
-    std::printf("%6.2f s  %-12s %s%s%s\n", seconds(rig_.truth().utime - begin_), task_state_name(task.state),
-                task_state_words(task.state), task.reason.empty() ? "" : ": ", task.reason.c_str());
+    std::printf("%6.2f s  %-12s %s%s%s\n", clock_.seconds(), task_state_name(task.state), task_state_words(task.state),
+                task.reason.empty() ? "" : ": ", task.reason.c_str());
     std::fflush(stdout);
   }
 
@@ -162,7 +177,7 @@ class Demo {
   CommandLatency latency_;
   Eyes eyes_;
   StaleMotionWatch stale_motion_;
-  int64_t begin_ = 0;
+  CourseClock clock_;
 };
 
 nlohmann::json number_or_null(double value) {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <random>
 
 #include "common/robot/arm_kinematics.hpp"
 #include "common/robot/workspace.hpp"
 #include "tests/experiments/experiment.hpp"
+#include "tests/experiments/lift_truth.hpp"
 #include "tests/experiments/progress_bar.hpp"
 #include "tests/experiments/rig.hpp"
 #include "tests/experiments/statistics.hpp"
@@ -21,7 +21,6 @@ namespace {
 
 // The hand ends before the spines, so that a law that misses pushes no book.
 const Eigen::Vector3d kGoalFromTarget(0.0, -0.035, -0.052);  // m, axes of C
-constexpr double kMarkHeight = 0.032;                        // m, above the lenses
 constexpr double kStartDistance = 0.15;                      // m
 constexpr double kTolerance = 0.001;                         // m
 constexpr int kMaxFrames = 240;                              // 8 s at 30 Hz: not converged counts as that many
@@ -64,13 +63,14 @@ bool both_marks_in_view(const robot::RobotDescription& robot, const robot::Joint
 
 // A start 15 cm from the goal, at which the arm can be and both cameras see both marks; 15 cm fit into what both see
 // only towards far books.
-Start draw_start(const robot::RobotDescription& robot, double hand_size, double target_size, std::mt19937& random) {
+Start draw_start(const robot::RobotDescription& robot, double mark_height, double hand_size, double target_size,
+                 std::mt19937& random) {
   std::uniform_real_distribution<double> book_x(-0.04, 0.11);
   std::uniform_real_distribution<double> book_y(0.28, 0.335);
   std::normal_distribution<double> normal;
   for (int tries = 0; tries < 1000000; ++tries) {
     const Eigen::Vector2d book(book_x(random), book_y(random));
-    const Eigen::Vector3d p_CT(book.x(), book.y(), kMarkHeight);
+    const Eigen::Vector3d p_CT(book.x(), book.y(), mark_height);
     const Eigen::Vector3d p_CG_goal = p_CT + kGoalFromTarget;
     const double margin = robot.workspace.joint_margin;
     const auto goal = robot::inverse_kinematics(*robot.arm, p_CG_goal, margin);
@@ -88,17 +88,6 @@ Start draw_start(const robot::RobotDescription& robot, double hand_size, double 
 
 double degrees(double radians) {
   return radians * 180.0 / M_PI;
-}
-
-Eigen::Vector3d vector(const Vector3& v) {
-  return {v.x, v.y, v.z};
-}
-
-std::optional<Eigen::Vector3d> true_goal(const SimTruth& truth, const std::string& target) {
-  for (const auto& mark : truth.marks) {
-    if (mark.name == target) return vector(mark.p_C) + kGoalFromTarget;
-  }
-  return std::nullopt;
 }
 
 Trial run_trial(Rig& rig, const robot::RobotDescription& robot, const std::string& target, const Start& start,
@@ -131,7 +120,7 @@ Trial run_trial(Rig& rig, const robot::RobotDescription& robot, const std::strin
     // The status of the frame before: answers to this one are still on their way.
     trial.converged = rig.servo().goal_id == rig.goal_id() && rig.servo().state == ServoStatus::CONVERGED;
   }
-  trial.final_error = (vector(rig.truth().p_CG) - true_goal(rig.truth(), target).value()).norm();
+  trial.final_error = (vector(rig.truth().p_CG) - (true_mark(rig.truth(), target).value() + kGoalFromTarget)).norm();
   return trial;
 }
 
@@ -153,6 +142,7 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
   for (const char* name : {"mark-detector", "target-locator"}) rig.wait_for_service(name, services.start(name));
   rig.wait_for_service("simulator", services.start_simulator("JOINT_COMMAND"));
   rig.wait_for_world();
+  const double mark_height = true_mark(rig.truth(), target).value().z();
 
   ProgressBar progress(static_cast<int>(laws.size() * kServos.size()) * 3 * options.trials);
   nlohmann::json cases = nlohmann::json::array();
@@ -168,7 +158,7 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
         std::vector<double> errors;
         int converged = 0;
         for (int i = 0; i < options.trials; ++i) {
-          const Start start = draw_start(robot, hand_size, target_mark.size, random);
+          const Start start = draw_start(robot, mark_height, hand_size, target_mark.size, random);
           const Trial trial = run_trial(rig, robot, target, start, servos, delay, options.seed + i);
           frames.push_back(trial.frames);
           errors.push_back(trial.final_error);
@@ -213,6 +203,10 @@ int main(int argc, char** argv) {
         return markservo::experiments::experiment(options, laws);
       },
       [&](void* app) {
-        static_cast<CLI::App*>(app)->add_option("--law", laws, "Laws to try")->delimiter(',')->capture_default_str();
+        static_cast<CLI::App*>(app)
+            ->add_option("--law", laws, "Laws to try")
+            ->delimiter(',')
+            ->check(CLI::IsMember({"resolved-rate", "paper"}))
+            ->capture_default_str();
       });
 }

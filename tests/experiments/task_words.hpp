@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <markservo/TaskState.hpp>
 
+#include "common/task/task_phase.hpp"
+
 namespace markservo::experiments {
 
 inline const char* task_state_name(int8_t state) {
-  constexpr const char* kNames[] = {"idle",  "look",    "approach", "servo",  "grip", "lift",    "verify", "lift on",
-                                    "carry", "release", "go home",  "lifted", "done", "refused", "failed", "stopped"};
-  return state >= TaskState::IDLE && state <= TaskState::STOPPED ? kNames[state] : "unknown";
+  return state >= TaskState::IDLE && state <= TaskState::STOPPED ? name_of(static_cast<TaskPhase>(state)) : "unknown";
 }
 
 inline const char* task_state_words(int8_t state) {

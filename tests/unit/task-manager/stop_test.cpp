@@ -111,7 +111,7 @@ TEST(WorldReset, LeavesTheHandOpenAndTheNextTaskDoesNotBeginByClosingIt) {
     robot.send(CommandKind::kStart, "red_book");
     while (robot.frame().phase != Phase::kGrip) {
       ASSERT_EQ(robot.opening(), 0.05) << name_of(robot.last().phase);
-      ASSERT_TRUE(busy(robot.last().phase)) << robot.last().reason;
+      ASSERT_TRUE(under_way(robot.last().phase)) << robot.last().reason;
     }
     EXPECT_TRUE(robot.run_until(Phase::kHoldLifted)) << robot.last().reason;
   }
