@@ -52,6 +52,8 @@ const std::vector<SettingDescription>& setting_descriptions() {
       {"light.vary", &S::light_vary, 0.0, 1.0, false, kReset, "how much the seed varies the lamps, 0: not at all"},
       {"servo.speed_deg_s", &S::servo_speed_deg_s, 0.0, 2000.0, false, kNow,
        "deg/s, fastest joint speed; 0: each joint's own in robot.yaml"},
+      {"servo.acceleration_deg_s2", &S::servo_acceleration_deg_s2, 500.0, 1e6, false, kNow,
+       "deg/s2, how fast a motor gathers speed and brakes"},
       {"servo.deadband_deg", &S::servo_deadband_deg, 0.0, 5.0, false, kNow,
        "deg, half-width around the commanded angle"},
       {"servo.deadband_kind", &S::servo_deadband_kind, 0.0, 1.0, true, kNow,

@@ -27,6 +27,7 @@ struct Settings {
   double light_vary = 1.0;
 
   double servo_speed_deg_s = 0.0;
+  double servo_acceleration_deg_s2 = 5730.0;
   double servo_deadband_deg = 0.3;
   double servo_deadband_kind = 0.0;
   double servo_backlash_deg = 0.0;

@@ -163,6 +163,7 @@ ServoParameters World::servo_parameters(int joint) const {
   ServoParameters parameters;
   parameters.speed = settings_.servo_speed_deg_s > 0.0 ? settings_.servo_speed_deg_s * kRadiansPerDegree
                                                        : robot_.arm->joints[static_cast<std::size_t>(joint)].speed;
+  parameters.acceleration = settings_.servo_acceleration_deg_s2 * kRadiansPerDegree;
   parameters.deadband = settings_.servo_deadband_deg * kRadiansPerDegree;
   parameters.deadband_kind =
       settings_.servo_deadband_kind == 0.0 ? DeadbandKind::kStopsAtEdge : DeadbandKind::kRunsHome;
