@@ -18,9 +18,9 @@ struct OneSidedParameters {
   double last_move =
       0.00785;  // rad (0.45 degrees): starts that servo too, and is short enough to be one step of its
                 // pulse: a servo that runs home then does not stop on the way, with the rest inside its deadband
-  double last_move_change = 0.0017;  // rad (0.1 degrees, 0.5 mm at the grip point): the last move still starts the
-                                     // servo, and is still one step
-  double unchanged = 0.00035;        // rad (0.02 degrees, 0.1 mm): joints that are nearer to their goal are left alone
+  double refined_part = 0.2;   // of the last move: what later frames may still change it by (0.1 degrees, 0.5 mm at the
+                               // grip point), so that it starts the servo and is one step all the same
+  double unchanged = 0.00035;  // rad (0.02 degrees, 0.1 mm): joints that are nearer to their goal are left alone
 };
 
 // The direction, +1 or -1, in which each joint shall end its moves: yaw as it comes, shoulder lowering, elbow raising.

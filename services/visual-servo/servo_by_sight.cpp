@@ -43,7 +43,7 @@ void refine_entry(const Frame& frame, SightState& state) {
   JointVector q_goal = state.final;
   const Eigen::Vector3d p_CG = frame.sight.p_CG_goal - state.bias.at(frame.arm, state.final, state.directions);
   if (!why_unreachable(frame.arm, p_CG, parameters.joint_margin, q_goal).empty()) return;
-  const double most = parameters.one_sided.last_move_change;
+  const double most = parameters.one_sided.refined_part * parameters.one_sided.last_move;
   state.final += (q_goal - state.final).cwiseMax(-most).cwiseMin(most);
 }
 
@@ -59,16 +59,16 @@ void approach(const Frame& frame, SightState& state, SightAnswer& answer) {
   const SightParameters& parameters = frame.parameters;
   JointVector q_goal = frame.q_command;
   const bool begins = state.phase != Phase::kApproach;
-  // The bias at the goal depends a little on the posture there, which depends on the bias.
-  for (int i = 0; i < 2; ++i) {
+  // The bias at the goal depends a little on the posture there and on how the joints arrive, and these on the bias.
+  for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d p_CG = frame.sight.p_CG_goal - state.bias.at(frame.arm, q_goal, state.directions);
     answer.unreachable = why_unreachable(frame.arm, p_CG, parameters.joint_margin, q_goal);
     if (!answer.unreachable.empty()) return;
+    if (begins) state.directions = ending_directions(frame.q_command, q_goal);
   }
   if (begins) {
     state.phase = Phase::kApproach;
     state.corrections = 0;
-    state.directions = ending_directions(frame.q_command, q_goal);
   }
   const JointVector q_entry = entry_posture(frame.arm, parameters.one_sided, q_goal, state.directions);
   const Eigen::Vector3d to_go =

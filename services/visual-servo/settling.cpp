@@ -26,8 +26,8 @@ void SettledWindow::clear() {
 void SettledWindow::add(const SettlingParameters& parameters, const Eigen::Vector3d& p) {
   ++seen_;
   samples_.push_back(p);
-  int kept = in_doubt_ ? parameters.frames_in_doubt : parameters.frames;
-  if (seen_ > parameters.patience) kept = parameters.patience;
+  int kept = in_doubt_ ? std::max(parameters.frames, parameters.frames_in_doubt) : parameters.frames;
+  if (seen_ > parameters.patience) kept = std::max(kept, parameters.patience);
   while (size() > kept) samples_.pop_front();
 }
 

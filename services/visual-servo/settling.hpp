@@ -18,7 +18,7 @@ struct SettlingParameters {
       0.3;  // s; joint states that stay off the command (deadband, when shafts are measured) count as arrived
   double settle_time = 0.04;  // s for the shafts to come to rest after the ramp's end
   int frames = 4;             // averaged: noise of 0.2 mm becomes 0.1 mm
-  int frames_in_doubt = 8;    // averaged where that leaves a doubt: two more looks cost less than a correction's twelve
+  int frames_in_doubt = 8;    // averaged where that leaves a doubt: four more cost less than a correction's twelve
   int patience = 12;          // frames after which a restless average is taken as it is
   double spread = 0.0012;     // m; farther from the average means still moving (noise of 0.2 mm an axis stays below)
 };

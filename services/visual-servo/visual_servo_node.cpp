@@ -63,7 +63,8 @@ void VisualServoNode::add_options(CLI::App& app) {
   number("--fine-tolerance", sight.fine_tolerance, "Aimed at while corrections help, m", 0.0001, 0.05);
   count("--fine-corrections", sight.fine_corrections, "Corrections after which the goal's tolerance will do", 0, 100);
   number("--back-off", sight.one_sided.back_off, "Against backlash, rad of each joint", 0.0, 0.1);
-  number("--last-move", sight.one_sided.last_move, "Into the goal, rad: above a servo's deadband", 0.0, 0.05);
+  number("--last-move", sight.one_sided.last_move, "Into the goal, rad: above a servo's deadband by a quarter", 0.0,
+         0.05);
   count("--settled-frames", sight.settling.frames, "Averaged at rest", 1, 30);
   number("--settle-time", sight.settling.settle_time, "From the ramps' end to rest, s", 0.0, 2.0);
   count("--target-frames", parameters_.target.frames, "Averaged over a target that stands still, at most", 1, 1000);

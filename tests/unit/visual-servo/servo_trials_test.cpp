@@ -69,7 +69,10 @@ TEST(PaperLaw, RunsBesideForComparison) {
       settings.delay_frames = delay;
       const Summary summary = summarise(run_trials(robot, parameters, settings, 2));
       std::cout << row("paper", settings, summary) << '\n';
-      EXPECT_GT(summary.trials, 0);
+      // Its gains are for one frame of delay: more is beyond it.
+      if (delay == 1) {
+        EXPECT_EQ(summary.converged, summary.trials);
+      }
     }
   }
 }
