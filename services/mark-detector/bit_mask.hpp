@@ -15,6 +15,10 @@ class BitMask {
   BitMask() = default;
   // All clear. Sizes of 0 or more.
   BitMask(int width, int height);
+  // Another size, all clear; as it is when the size is the same.
+  void resize(int width, int height) {
+    if (width != width_ || height != height_) *this = BitMask(width, height);
+  }
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -1,14 +1,19 @@
 #include "services/mark-detector/colour_classifier.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
+#include "services/mark-detector/colour_kernel.hpp"
+
 namespace markservo::mark_detector {
 namespace {
 
+constexpr std::size_t kMaxRules = 8;  // as many marks as a robot's description may have
 constexpr double kFullTurn_deg = 360.0;
+constexpr double kCoarse_deg = 0.5;      // twice what rounding to kCoarseScale can turn a ray by
 constexpr double kLeastWidth_deg = 0.1;  // below it the integer cone would degenerate to a line
 
 struct Ray {
@@ -20,8 +25,8 @@ int16_t scaled(double ratio, int scale) {
   return static_cast<int16_t>(std::lround(ratio * scale));
 }
 
-// (R - G, G - B) of the purest colour of a hue.
-Ray ray_of(double hue_deg) {
+// (R - G, G - B) of the purest colour of a hue, `scale` long.
+Ray ray_of(double hue_deg, int scale) {
   const double sixth = std::fmod(std::fmod(hue_deg, kFullTurn_deg) + kFullTurn_deg, kFullTurn_deg) / 60.0;
   const auto channel = [sixth](double peak) {
     double distance = std::abs(sixth - peak);
@@ -31,43 +36,9 @@ Ray ray_of(double hue_deg) {
   const double r = channel(0.0);
   const double g = channel(2.0);
   const double b = channel(4.0);
-  return {scaled(r - g, ColourRule::kHueScale), scaled(g - b, ColourRule::kHueScale)};
+  return {scaled(r - g, scale), scaled(g - b, scale)};
 }
 
-// What all rules ask of a row of pixels.
-struct RowFeatures {
-  explicit RowFeatures(int width)
-      : x(static_cast<std::size_t>(width)), y(x.size()), chroma(x.size()), value(x.size()), shifted(x.size()) {}
-  std::vector<int16_t> x;
-  std::vector<int16_t> y;
-  std::vector<int16_t> chroma;
-  std::vector<int16_t> value;
-  std::vector<int16_t> shifted;  // V'
-};
-
-void extract(const ImageView& image, int v, const LumaShift& shift, RowFeatures& row) {
-  const uint8_t* p = image.row(v);
-  // A byte may alias anything: only plain restricted pointers let the compiler keep what it has loaded.
-  int16_t* __restrict x = row.x.data();
-  int16_t* __restrict y = row.y.data();
-  int16_t* __restrict chroma = row.chroma.data();
-  int16_t* __restrict value = row.value.data();
-  int16_t* __restrict shifted = row.shifted.data();
-  for (int u = 0; u < image.width; ++u, p += 3) {
-    const int b = p[0];
-    const int g = p[1];
-    const int r = p[2];
-    const int high = std::max(b, std::max(g, r));
-    const int low = std::min(b, std::min(g, r));
-    x[u] = static_cast<int16_t>(r - g);
-    y[u] = static_cast<int16_t>(g - b);
-    chroma[u] = static_cast<int16_t>(high - low);
-    value[u] = static_cast<int16_t>(high);
-    shifted[u] = static_cast<int16_t>(std::clamp(high + shift[static_cast<std::size_t>(luma(b, g, r))], 0, 255));
-  }
-}
-
-// Without branches, so that the loop over a row becomes vector code.
 inline unsigned matches(const ColourRule& rule, int16_t x, int16_t y, int16_t chroma, int16_t value, int16_t shifted) {
   const unsigned after_min = rule.min_x * y - rule.min_y * x >= 0 ? 1U : 0U;
   const unsigned before_max = x * rule.max_y - y * rule.max_x >= 0 ? 1U : 0U;
@@ -79,20 +50,6 @@ inline unsigned matches(const ColourRule& rule, int16_t x, int16_t y, int16_t ch
                               (scaled_chroma <= rule.saturation_max * value ? 1U : 0U);
   const unsigned brightness = (shifted >= rule.value_min ? 1U : 0U) & (shifted <= rule.value_max ? 1U : 0U);
   return hue & saturation & brightness & (chroma >= rule.chroma_min ? 1U : 0U);
-}
-
-void classify_row(const ColourRule& rule, const RowFeatures& row, std::vector<uint8_t>& bytes) {
-  const ColourRule own = rule;
-  const int16_t* __restrict x = row.x.data();
-  const int16_t* __restrict y = row.y.data();
-  const int16_t* __restrict chroma = row.chroma.data();
-  const int16_t* __restrict value = row.value.data();
-  const int16_t* __restrict shifted = row.shifted.data();
-  uint8_t* __restrict out = bytes.data();
-  const std::size_t n = bytes.size();
-  for (std::size_t u = 0; u < n; ++u) {
-    out[u] = static_cast<uint8_t>(matches(own, x[u], y[u], chroma[u], value[u], shifted[u]));
-  }
 }
 
 }  // namespace
@@ -107,8 +64,10 @@ ColourRule make_rule(const robot::ColourInterval& interval, int chroma_min) {
   rule.any_hue = width >= kFullTurn_deg;
   width = std::fmod(std::fmod(width, kFullTurn_deg) + kFullTurn_deg, kFullTurn_deg);
   const double widened = std::max(0.0, 0.5 * (kLeastWidth_deg - width));
-  const Ray least = ray_of(interval.hue_min_deg - widened);
-  const Ray greatest = ray_of(interval.hue_max_deg + widened);
+  const double hue_min = interval.hue_min_deg - widened;
+  const double hue_max = interval.hue_max_deg + widened;
+  const Ray least = ray_of(hue_min, ColourRule::kHueScale);
+  const Ray greatest = ray_of(hue_max, ColourRule::kHueScale);
   rule.wide = width > 0.5 * kFullTurn_deg;
   rule.min_x = least.x;
   rule.min_y = least.y;
@@ -119,6 +78,17 @@ ColourRule make_rule(const robot::ColourInterval& interval, int chroma_min) {
   rule.value_min = scaled(std::clamp(interval.value_min, 0.0, 1.0), 255);
   rule.value_max = scaled(std::clamp(interval.value_max, 0.0, 1.0), 255);
   rule.chroma_min = static_cast<int16_t>(std::clamp(chroma_min, 0, 255));
+
+  const Ray coarse_least = ray_of(hue_min - kCoarse_deg, ColourRule::kCoarseScale);
+  const Ray coarse_greatest = ray_of(hue_max + kCoarse_deg, ColourRule::kCoarseScale);
+  rule.coarse_any_hue = rule.any_hue || width + 2.0 * kCoarse_deg >= kFullTurn_deg;
+  rule.coarse_wide = width + 2.0 * kCoarse_deg > 0.5 * kFullTurn_deg;
+  rule.coarse_min_x = coarse_least.x;
+  rule.coarse_min_y = coarse_least.y;
+  rule.coarse_max_x = coarse_greatest.x;
+  rule.coarse_max_y = coarse_greatest.y;
+  rule.coarse_saturation_min =
+      static_cast<int16_t>(rule.saturation_min * ColourRule::kCoarseScale / ColourRule::kSaturationScale);
   return rule;
 }
 
@@ -130,18 +100,16 @@ bool belongs(const ColourRule& rule, int b, int g, int r, int shift) {
                  narrow(std::clamp(high + shift, 0, 255))) != 0;
 }
 
-std::vector<BitMask> classify(const ImageView& image, const LumaShift& shift, const std::vector<ColourRule>& rules) {
-  std::vector<BitMask> masks(rules.size(), BitMask(image.width, image.height));
-  RowFeatures row(image.width);
-  std::vector<uint8_t> bytes(static_cast<std::size_t>(image.width));
+void classify(const ImageView& image, const LumaShift& shift, const std::vector<ColourRule>& rules,
+              std::vector<BitMask>& masks) {
+  masks.resize(rules.size());
+  for (BitMask& mask : masks) mask.resize(image.width, image.height);
+  const std::vector<FrameRule> prepared = frame_rules(rules, shift);
+  std::array<uint64_t*, kMaxRules> rows{};
   for (int v = 0; v < image.height; ++v) {
-    extract(image, v, shift, row);
-    for (std::size_t k = 0; k < rules.size(); ++k) {
-      classify_row(rules[k], row, bytes);
-      masks[k].set_row(v, bytes.data());
-    }
+    for (std::size_t k = 0; k < rules.size(); ++k) rows.at(k) = masks[k].row(v);
+    classify_row(image.row(v), image.width, prepared, shift, rows.data());
   }
-  return masks;
 }
 
 }  // namespace markservo::mark_detector

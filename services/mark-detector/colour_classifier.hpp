@@ -13,7 +13,7 @@
 //   noise:       C >= chroma_min
 // Saturation is the photographed pixel's, for C and V grow alike with light; that of the equalised one would fall with
 // light, because equalisation restores luma but not chroma. All tests are exact integer inequalities, so every
-// implementation must give the same bits.
+// implementation must give the same bits. Coarse ones in 16 bits, a little wider, tell where the exact ones are needed.
 
 #include <cstdint>
 #include <vector>
@@ -29,6 +29,7 @@ namespace markservo::mark_detector {
 struct ColourRule {
   static constexpr int kHueScale = 1 << 14;
   static constexpr int kSaturationScale = 1 << 12;
+  static constexpr int kCoarseScale = 127;  // a product with a difference of levels fits 16 bits
 
   bool any_hue = false;
   bool wide = false;  // the cone is wider than half a turn: one half-plane is enough
@@ -41,6 +42,15 @@ struct ColourRule {
   int16_t value_min = 0;  // levels
   int16_t value_max = 255;
   int16_t chroma_min = 0;  // levels
+
+  // Contains what the above contains; both rays kCoarseScale long, the saturation kCoarseScale times C / V.
+  bool coarse_any_hue = false;
+  bool coarse_wide = false;
+  int16_t coarse_min_x = 0;
+  int16_t coarse_min_y = 0;
+  int16_t coarse_max_x = 0;
+  int16_t coarse_max_y = 0;
+  int16_t coarse_saturation_min = 0;
 };
 
 // The rule of an interval. Hue wraps; an interval of 360 degrees or more takes every hue, one narrower than 0.1 degrees
@@ -51,7 +61,8 @@ ColourRule make_rule(const robot::ColourInterval& interval, int chroma_min);
 // True if a pixel belongs; `shift` is its luma's.
 bool belongs(const ColourRule& rule, int b, int g, int r, int shift);
 
-// One mask per rule, of the image's size.
-std::vector<BitMask> classify(const ImageView& image, const LumaShift& shift, const std::vector<ColourRule>& rules);
+// One mask per rule, of the image's size; 1 to 8 rules. `masks` keep their memory from call to call.
+void classify(const ImageView& image, const LumaShift& shift, const std::vector<ColourRule>& rules,
+              std::vector<BitMask>& masks);
 
 }  // namespace markservo::mark_detector

@@ -5,21 +5,16 @@
 #include <cstddef>
 #include <numeric>
 
+#include "services/mark-detector/colour_kernel.hpp"
+
 namespace markservo::mark_detector {
 
-void accumulate(const ImageView& image, LumaHistogram& histogram) {
-  // Neighbouring pixels often have the same luma: two tables keep their increments from waiting for each other.
-  std::array<int64_t, 256> other{};
-  for (int v = 0; v < image.height; ++v) {
-    const uint8_t* p = image.row(v);
-    int u = 0;
-    for (; u + 2 <= image.width; u += 2, p += 6) {
-      ++histogram[static_cast<std::size_t>(luma(p[0], p[1], p[2]))];
-      ++other[static_cast<std::size_t>(luma(p[3], p[4], p[5]))];
-    }
-    if (u < image.width) ++histogram[static_cast<std::size_t>(luma(p[0], p[1], p[2]))];
+void accumulate(const ImageView& image, LumaHistogram& histogram, int row_step) {
+  LumaCounts counts{};
+  for (int v = 0; v < image.height; v += row_step) count_luma_row(image.row(v), image.width, counts);
+  for (const auto& table : counts) {
+    for (std::size_t i = 0; i < table.size(); ++i) histogram[i] += table[i];
   }
-  for (std::size_t i = 0; i < other.size(); ++i) histogram[i] += other[i];
 }
 
 LumaShift no_shift() {

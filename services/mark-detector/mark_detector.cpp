@@ -93,13 +93,14 @@ Output MarkDetector::step(const Input& input, State& state) const {
   if (parameters_.equalise) {
     // One table for both images, so that a mark is judged alike in both.
     LumaHistogram histogram{};
-    accumulate(input.left, histogram);
-    if (!single) accumulate(input.right, histogram);
+    accumulate(input.left, histogram, parameters_.histogram_step);
+    if (!single) accumulate(input.right, histogram, parameters_.histogram_step);
     shift = against_darkness(equalising_shift(histogram));
   }
-  const std::vector<BitMask> left_masks = classify(input.left, shift, rules_);
-  const std::vector<BitMask> right_masks =
-      single ? std::vector<BitMask>(rules_.size()) : classify(input.right, shift, rules_);
+  std::vector<BitMask> left_masks;
+  std::vector<BitMask> right_masks(rules_.size());
+  classify(input.left, shift, rules_, left_masks);
+  if (!single) classify(input.right, shift, rules_, right_masks);
 
   BlobParameters blobs;
   blobs.min_area = parameters_.min_area;

@@ -1,0 +1,243 @@
+#include "services/mark-detector/colour_kernel.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "services/mark-detector/colour_kernel.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace markservo::mark_detector::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr int kBlock = 64;  // pixels of one word
+
+using Levels = hn::CappedTag<int16_t, kBlock>;
+using Wide = hn::CappedTag<int32_t, kBlock>;
+
+// What the rules ask of a block of pixels.
+struct HWY_ALIGN Features {
+  HWY_ALIGN int16_t x[kBlock];
+  HWY_ALIGN int16_t y[kBlock];
+  HWY_ALIGN int16_t chroma[kBlock];
+  HWY_ALIGN int16_t value[kBlock];
+};
+
+// The bits of `mask` as the lowest of a word.
+template <class D, class M>
+HWY_INLINE uint64_t bits_of(D d, M mask) {
+  uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  uint64_t word = 0;
+  std::memcpy(&word, bytes, sizeof word);
+  return word;
+}
+
+// a >= b, for numbers whose difference fits their type.
+template <class D, class V>
+HWY_INLINE auto at_least(D d, V a, V b) {
+  return hn::Gt(hn::Sub(a, b), hn::Set(d, -1));
+}
+
+// Fills the features; 0 if no pixel has the chroma that the easiest rule asks for.
+HWY_INLINE uint64_t extract(const uint8_t* bgr, int least_chroma, int least_saturation, Features& features) {
+  const Levels d;
+  const hn::Rebind<uint8_t, Levels> bytes;
+  const int n = static_cast<int>(hn::Lanes(d));
+  uint64_t any = 0;
+  for (int u = 0; u < kBlock; u += n) {
+    auto b8 = hn::Undefined(bytes);
+    auto g8 = hn::Undefined(bytes);
+    auto r8 = hn::Undefined(bytes);
+    hn::LoadInterleaved3(bytes, bgr + 3 * u, b8, g8, r8);
+    const auto value = hn::PromoteTo(d, hn::Max(b8, hn::Max(g8, r8)));
+    const auto chroma = hn::Sub(value, hn::PromoteTo(d, hn::Min(b8, hn::Min(g8, r8))));
+    const auto g = hn::PromoteTo(d, g8);
+    hn::Store(hn::Sub(hn::PromoteTo(d, r8), g), d, features.x + u);
+    hn::Store(hn::Sub(g, hn::PromoteTo(d, b8)), d, features.y + u);
+    hn::Store(chroma, d, features.chroma + u);
+    hn::Store(value, d, features.value + u);
+    const auto coloured = hn::And(at_least(d, chroma, hn::Set(d, static_cast<int16_t>(least_chroma))),
+                                  at_least(d, hn::Mul(chroma, hn::Set(d, ColourRule::kCoarseScale)),
+                                           hn::Mul(value, hn::Set(d, static_cast<int16_t>(least_saturation)))));
+    any |= bits_of(d, coloured) << u;
+  }
+  return any;
+}
+
+// The pixels that may belong: in 16 bits, never missing one that does.
+HWY_INLINE uint64_t possible(const FrameRule& frame_rule, const Features& features) {
+  const Levels d;
+  const int n = static_cast<int>(hn::Lanes(d));
+  const ColourRule& rule = frame_rule.rule;
+  const auto min_x = hn::Set(d, rule.coarse_min_x);
+  const auto min_y = hn::Set(d, rule.coarse_min_y);
+  const auto max_x = hn::Set(d, rule.coarse_max_x);
+  const auto max_y = hn::Set(d, rule.coarse_max_y);
+  const auto saturation = hn::Set(d, rule.coarse_saturation_min);
+  const auto least_chroma = hn::Set(d, rule.chroma_min);
+  const auto least_value = hn::Set(d, frame_rule.possible_min);
+  const auto most_value = hn::Set(d, frame_rule.possible_max);
+  const auto minus_one = hn::Set(d, -1);
+  uint64_t bits = 0;
+  for (int u = 0; u < kBlock; u += n) {
+    const auto chroma = hn::Load(d, features.chroma + u);
+    const auto value = hn::Load(d, features.value + u);
+    auto mask = hn::And(at_least(d, chroma, least_chroma),
+                        at_least(d, hn::Mul(chroma, hn::Set(d, ColourRule::kCoarseScale)), hn::Mul(value, saturation)));
+    mask = hn::And(mask, hn::And(at_least(d, value, least_value), at_least(d, most_value, value)));
+    if (!rule.coarse_any_hue) {
+      const auto x = hn::Load(d, features.x + u);
+      const auto y = hn::Load(d, features.y + u);
+      // Products fit 16 bits; their difference may not, and keeps its sign by saturation.
+      const auto after_min = hn::Gt(hn::SaturatedSub(hn::Mul(min_x, y), hn::Mul(min_y, x)), minus_one);
+      const auto before_max = hn::Gt(hn::SaturatedSub(hn::Mul(x, max_y), hn::Mul(y, max_x)), minus_one);
+      mask = hn::And(mask, rule.coarse_wide ? hn::Or(after_min, before_max) : hn::And(after_min, before_max));
+    }
+    bits |= bits_of(d, mask) << u;
+  }
+  return bits;
+}
+
+// The exact tests of hue, saturation and chroma; `doubt` receives the pixels whose luma decides about their value.
+HWY_INLINE uint64_t exact(const FrameRule& frame_rule, const Features& features, uint64_t& doubt) {
+  const Wide d;
+  const hn::Rebind<int16_t, Wide> levels;
+  const int n = static_cast<int>(hn::Lanes(d));
+  const ColourRule& rule = frame_rule.rule;
+  const auto load = [&](const int16_t* p) { return hn::PromoteTo(d, hn::Load(levels, p)); };
+  const auto times = [&](int16_t factor, auto v) { return hn::Mul(hn::Set(d, factor), v); };
+  uint64_t bits = 0;
+  doubt = 0;
+  for (int u = 0; u < kBlock; u += n) {
+    const auto chroma = load(features.chroma + u);
+    const auto value = load(features.value + u);
+    const auto scaled = times(ColourRule::kSaturationScale, chroma);
+    auto mask = hn::And(at_least(d, scaled, times(rule.saturation_min, value)),
+                        at_least(d, times(rule.saturation_max, value), scaled));
+    mask = hn::And(mask, at_least(d, chroma, hn::Set(d, rule.chroma_min)));
+    if (!rule.any_hue) {
+      const auto x = load(features.x + u);
+      const auto y = load(features.y + u);
+      const auto after_min = at_least(d, times(rule.min_x, y), times(rule.min_y, x));
+      const auto before_max = at_least(d, times(rule.max_y, x), times(rule.max_x, y));
+      mask = hn::And(mask, rule.wide ? hn::Or(after_min, before_max) : hn::And(after_min, before_max));
+    }
+    bits |= bits_of(d, mask) << u;
+    const auto certain = hn::And(at_least(d, value, hn::Set(d, frame_rule.certain_min)),
+                                 at_least(d, hn::Set(d, frame_rule.certain_max), value));
+    doubt |= bits_of(d, hn::Not(certain)) << u;
+  }
+  doubt &= bits;
+  return bits;
+}
+
+void ClassifyRow(const uint8_t* bgr, int width, const FrameRule* rules, int num_rules, const LumaShift& shift,
+                 uint64_t* const* words) {
+  int least_chroma = 255;
+  int least_saturation = ColourRule::kCoarseScale;
+  for (int k = 0; k < num_rules; ++k) {
+    least_chroma = std::min<int>(least_chroma, rules[k].rule.chroma_min);
+    least_saturation = std::min<int>(least_saturation, rules[k].rule.coarse_saturation_min);
+  }
+  Features features;
+  uint8_t rest[3 * kBlock];
+  for (int begin = 0, w = 0; begin < width; begin += kBlock, ++w) {
+    const uint8_t* pixels = bgr + 3 * static_cast<std::ptrdiff_t>(begin);
+    const int count = std::min(kBlock, width - begin);
+    if (count < kBlock) {
+      std::memset(rest, 0, sizeof rest);
+      std::memcpy(rest, pixels, 3 * static_cast<std::size_t>(count));
+      pixels = rest;
+    }
+    const uint64_t within = count == kBlock ? ~uint64_t{0} : (uint64_t{1} << count) - 1;
+    const bool coloured = (extract(pixels, least_chroma, least_saturation, features) & within) != 0;
+    for (int k = 0; k < num_rules; ++k) {
+      uint64_t bits = 0;
+      if (coloured && (possible(rules[k], features) & within) != 0) {
+        uint64_t doubt = 0;
+        bits = exact(rules[k], features, doubt) & within;
+        for (doubt &= within; doubt != 0; doubt &= doubt - 1) {
+          const int u = __builtin_ctzll(doubt);
+          const uint8_t* p = pixels + 3 * u;
+          const int shifted =
+              std::clamp(features.value[u] + shift[static_cast<std::size_t>(luma(p[0], p[1], p[2]))], 0, 255);
+          if (shifted < rules[k].rule.value_min || shifted > rules[k].rule.value_max) bits &= ~(uint64_t{1} << u);
+        }
+      }
+      words[k][w] = bits;
+    }
+  }
+}
+
+void CountLumaRow(const uint8_t* bgr, int width, LumaCounts& counts) {
+  const Wide d;
+  const hn::Rebind<uint8_t, Wide> bytes;
+  const int n = static_cast<int>(hn::Lanes(d));
+  HWY_ALIGN uint8_t lumas[kBlock];
+  int u = 0;
+  for (; u + kBlock <= width; u += kBlock) {
+    for (int i = 0; i < kBlock; i += n) {
+      auto b8 = hn::Undefined(bytes);
+      auto g8 = hn::Undefined(bytes);
+      auto r8 = hn::Undefined(bytes);
+      hn::LoadInterleaved3(bytes, bgr + 3 * (u + i), b8, g8, r8);
+      auto sum = hn::Add(hn::Mul(hn::PromoteTo(d, b8), hn::Set(d, 1868)), hn::Set(d, 1 << 13));
+      sum = hn::Add(hn::Mul(hn::PromoteTo(d, g8), hn::Set(d, 9617)), sum);
+      sum = hn::Add(hn::Mul(hn::PromoteTo(d, r8), hn::Set(d, 4899)), sum);
+      hn::Store(hn::DemoteTo(bytes, hn::ShiftRight<14>(sum)), bytes, lumas + i);
+    }
+    for (int i = 0; i < kBlock; i += 4) {
+      for (std::size_t k = 0; k < 4; ++k) ++counts[k][lumas[static_cast<std::size_t>(i) + k]];
+    }
+  }
+  for (; u < width; ++u) {
+    const uint8_t* p = bgr + 3 * static_cast<std::ptrdiff_t>(u);
+    ++counts[0][static_cast<std::size_t>(luma(p[0], p[1], p[2]))];
+  }
+}
+
+}  // namespace markservo::mark_detector::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace markservo::mark_detector {
+
+HWY_EXPORT(ClassifyRow);
+HWY_EXPORT(CountLumaRow);
+
+std::vector<FrameRule> frame_rules(const std::vector<ColourRule>& rules, const LumaShift& shift) {
+  const auto [least, most] = std::minmax_element(shift.begin(), shift.end());
+  std::vector<FrameRule> result;
+  result.reserve(rules.size());
+  for (const ColourRule& rule : rules) {
+    FrameRule frame_rule;
+    frame_rule.rule = rule;
+    // What equalisation would move beyond 0 or 255 stops there, and passes limits that lie there.
+    constexpr int16_t kAny = 10000;  // beyond every level, and far from the type's end
+    const auto narrow = [](int value) { return static_cast<int16_t>(value); };
+    frame_rule.possible_min = rule.value_min <= 0 ? narrow(-kAny) : narrow(rule.value_min - *most);
+    frame_rule.certain_min = rule.value_min <= 0 ? narrow(-kAny) : narrow(rule.value_min - *least);
+    frame_rule.possible_max = rule.value_max >= 255 ? kAny : narrow(rule.value_max - *least);
+    frame_rule.certain_max = rule.value_max >= 255 ? kAny : narrow(rule.value_max - *most);
+    result.push_back(frame_rule);
+  }
+  return result;
+}
+
+void classify_row(const uint8_t* bgr, int width, const std::vector<FrameRule>& rules, const LumaShift& shift,
+                  uint64_t* const* words) {
+  HWY_DYNAMIC_DISPATCH(ClassifyRow)(bgr, width, rules.data(), static_cast<int>(rules.size()), shift, words);
+}
+
+void count_luma_row(const uint8_t* bgr, int width, LumaCounts& counts) {
+  HWY_DYNAMIC_DISPATCH(CountLumaRow)(bgr, width, counts);
+}
+
+}  // namespace markservo::mark_detector
+#endif  // HWY_ONCE

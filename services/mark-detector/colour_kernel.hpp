@@ -1,0 +1,36 @@
+#pragma once
+
+// The passes over every pixel, in vector code for the processor it runs on (Highway): all targets give the same bits.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "services/mark-detector/colour_classifier.hpp"
+#include "services/mark-detector/luma_equalisation.hpp"
+
+namespace markservo::mark_detector {
+
+// A rule, with what one frame's equalisation leaves of its value test. V is the photographed value, levels.
+struct FrameRule {
+  ColourRule rule;
+  int16_t possible_min = 0;  // V below cannot belong, whatever its luma
+  int16_t possible_max = 0;  // V above likewise
+  int16_t certain_min = 0;   // V from here ...
+  int16_t certain_max = 0;   // ... to here passes the value test, whatever its luma
+};
+
+// The rules for a frame that is equalised by `shift`.
+std::vector<FrameRule> frame_rules(const std::vector<ColourRule>& rules, const LumaShift& shift);
+
+// Classifies a row of `width` pixels, 1 or more, of 8-bit BGR: words[k] receives rule k's bits, one a pixel, lowest
+// first, the last word padded with zeros. 1 to 8 rules.
+void classify_row(const uint8_t* bgr, int width, const std::vector<FrameRule>& rules, const LumaShift& shift,
+                  uint64_t* const* words);
+
+// Counts the lumas of a row of `width` pixels. Four tables, to be added up: neighbours often have the same luma, and so
+// their increments do not wait for each other.
+using LumaCounts = std::array<std::array<uint32_t, 256>, 4>;
+void count_luma_row(const uint8_t* bgr, int width, LumaCounts& counts);
+
+}  // namespace markservo::mark_detector
