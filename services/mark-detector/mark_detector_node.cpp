@@ -31,7 +31,7 @@ cv::Mat read_picture(const std::string& option, const std::string& path) {
   // Not cv::imread, which writes warnings of its own.
   std::ifstream file(path, std::ios::binary);
   const std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  const cv::Mat image = decode_picture(bytes);
+  cv::Mat image = decode_picture(bytes);
   if (image.empty()) throw ConfigurationError(option + " '" + path + "': cannot be read; allowed: a picture file");
   return image;
 }
@@ -66,7 +66,7 @@ cv::Mat decode(const StereoFrame& frame, const std::vector<uint8_t>& side, const
   const std::optional<JpegSize> size = jpeg_size(side);
   if (!size) throw not_a_jpeg(name);
   require_frame_size(frame, *size, name);
-  const cv::Mat image = decode_picture(side);
+  cv::Mat image = decode_picture(side);
   if (image.empty()) throw not_a_jpeg(name);
   require_frame_size(frame, {image.cols, image.rows}, name);  // OpenCV may turn it as its EXIF says
   return image;

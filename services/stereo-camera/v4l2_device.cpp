@@ -52,7 +52,7 @@ std::string path_complaint(const std::string& path) {
 
 class V4l2Device : public CaptureDevice {
  public:
-  explicit V4l2Device(cv::VideoCapture capture) : capture_(std::move(capture)) {
+  explicit V4l2Device(const cv::VideoCapture& capture) : capture_(capture) {
     const double rate = capture_.get(cv::CAP_PROP_FPS);
     rate_ = std::isfinite(rate) && rate > 0.0 ? rate : 0.0;
   }
@@ -140,7 +140,7 @@ std::unique_ptr<CaptureDevice> open_v4l2(const V4l2Settings& settings, std::stri
     reason = settings.path + ": " + error.err;
     return nullptr;
   }
-  return std::make_unique<V4l2Device>(std::move(capture));
+  return std::make_unique<V4l2Device>(capture);
 }
 
 }  // namespace markservo::stereo_camera

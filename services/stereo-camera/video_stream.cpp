@@ -20,7 +20,7 @@ VideoStream::VideoStream(const std::string& path, const std::string& option) : p
                              "', which is no file; allowed: a picture, a video, or a pattern "
                              "as left_%02d.png");
   }
-  rewind();
+  VideoStream::rewind();  // not virtual while it is being made
   if (!capture_.isOpened()) {
     throw ConfigurationError(option + " is '" + path + "', which is no readable video; allowed: what FFmpeg decodes");
   }

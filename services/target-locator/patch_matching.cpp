@@ -21,9 +21,9 @@ bool window_inside(const PlaneImage& image, int column, int row, int half) {
 
 WeightedWindow make_window(const PlaneImage& image, int column, int row, int half, double colour_sigma) {
   WeightedWindow window;
-  const auto size = static_cast<std::size_t>((2 * half + 1) * (2 * half + 1));
-  window.weight.reserve(size);
-  window.weighted_grey.reserve(size);
+  const auto side = static_cast<std::size_t>(2 * half + 1);
+  window.weight.reserve(side * side);
+  window.weighted_grey.reserve(side * side);
   const float middle = image.at(column, row);
   const double spread = static_cast<double>(half);
   double sum = 0.0;

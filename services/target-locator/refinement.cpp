@@ -38,7 +38,8 @@ Window make_window(const StereoPatch& patch, const Feature& feature, int half, c
   const int y0 = std::max(0, feature.row - half);
   const int y1 = std::min(left.height - 1, feature.row + half);
   const auto scale = static_cast<float>(patch.left_frame.scale);
-  window.pixels.reserve(static_cast<std::size_t>((2 * half + 1) * (2 * half + 1)));
+  const auto side = static_cast<std::size_t>(2 * half + 1);
+  window.pixels.reserve(side * side);
   float sum = 0.0F;
   for (int y = y0; y <= y1; ++y) {
     const float* grey = left.row(y);

@@ -3,7 +3,7 @@
 namespace markservo::task_manager {
 
 std::string describe_sight(const MarkReport& mark) {
-  const std::string subject = "the mark of " + mark.name + " ";
+  std::string subject = "the mark of " + mark.name + " ";
   switch (mark.sight) {
     case Sight::kLocated:
       return subject + "is located";

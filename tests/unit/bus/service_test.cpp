@@ -30,6 +30,7 @@ class ServiceMain : public ::testing::Test {
   int run(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "one-setting");
     std::vector<char*> argv;
+    argv.reserve(arguments.size());
     for (auto& argument : arguments) argv.push_back(argument.data());
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
