@@ -1,0 +1,103 @@
+#include "tests/bench/ours.hpp"
+
+#include "services/mark-detector/luma_equalisation.hpp"
+
+namespace markservo::bench {
+namespace {
+
+mark_detector::ImageView view_of(const cv::Mat& image) {
+  return {image.data, image.cols, image.rows, static_cast<std::ptrdiff_t>(image.step)};
+}
+
+// As the messages between the services carry it.
+target_locator::View view_of(const mark_detector::View& found) {
+  target_locator::View view;
+  view.seen = found.seen;
+  view.clipped = found.clipped;
+  view.x = found.shape.x;
+  view.y = found.shape.y;
+  view.width = found.shape.width;
+  view.height = found.shape.height;
+  const mark_detector::Patch& patch = found.patch;
+  if (patch.scale > 0) {
+    view.patch.frame = {static_cast<double>(patch.x), static_cast<double>(patch.y), static_cast<double>(patch.scale)};
+    view.patch.width = patch.width;
+    view.patch.height = patch.height;
+    view.patch.bgr = patch.bgr.data();
+    view.patch.mask = patch.mask.data();
+  }
+  return view;
+}
+
+mark_detector::Parameters parameters_for(Scan scan) {
+  mark_detector::Parameters parameters;
+  switch (scan) {
+    case Scan::kWholeImage:
+      break;
+  }
+  return parameters;
+}
+
+}  // namespace
+
+Ours::Ours(const std::vector<robot::MarkDescription>& marks, const geometry::StereoCamera& camera, Scan scan)
+    : marks_(marks), camera_(camera), parameters_(parameters_for(scan)), detector_(marks, parameters_) {
+  for (const robot::MarkDescription& mark : marks) {
+    rules_.push_back(mark_detector::make_rule(mark.colour, parameters_.chroma_min));
+  }
+}
+
+Ours::Result Ours::run(const StereoPair& pair) {
+  Result result;
+  result.detection = detect(pair);
+  result.locations = locate(result.detection);
+  return result;
+}
+
+mark_detector::Output Ours::detect(const StereoPair& pair) {
+  mark_detector::Input input;
+  input.left = view_of(pair.left);
+  input.right = view_of(pair.right);
+  input.stereo = camera_;
+  return detector_.step(input, state_);
+}
+
+std::vector<target_locator::Location> Ours::locate(const mark_detector::Output& detection) const {
+  std::vector<target_locator::Location> locations;
+  for (std::size_t i = 0; i < marks_.size(); ++i) {
+    target_locator::MarkObservation observation;
+    observation.left = view_of(detection.marks[i].left);
+    observation.right = view_of(detection.marks[i].right);
+    observation.surface = marks_[i].surface == robot::MarkSurface::kFree ? target_locator::Surface::kFree
+                                                                         : target_locator::Surface::kPlane;
+    observation.size = marks_[i].size;
+    locations.push_back(target_locator::locate_mark(observation, camera_, locator_));
+  }
+  return locations;
+}
+
+mark_detector::LumaShift Ours::equalise(const StereoPair& pair) const {
+  mark_detector::LumaHistogram histogram{};
+  mark_detector::accumulate(view_of(pair.left), histogram, parameters_.histogram_step);
+  mark_detector::accumulate(view_of(pair.right), histogram, parameters_.histogram_step);
+  return mark_detector::against_darkness(mark_detector::equalising_shift(histogram));
+}
+
+void Ours::classify(const StereoPair& pair, const mark_detector::LumaShift& shift) {
+  mark_detector::classify(view_of(pair.left), shift, rules_, left_masks_);
+  mark_detector::classify(view_of(pair.right), shift, rules_, right_masks_);
+}
+
+std::size_t Ours::label() {
+  mark_detector::BlobParameters parameters;
+  parameters.min_area = parameters_.min_area;
+  std::size_t count = 0;
+  for (const auto* const masks : {&left_masks_, &right_masks_}) {
+    for (const mark_detector::BitMask& mask : *masks) {
+      count += mark_detector::find_blobs(mark_detector::majority3(mask), parameters).blobs.size();
+    }
+  }
+  return count;
+}
+
+}  // namespace markservo::bench

@@ -1,0 +1,50 @@
+#pragma once
+
+// Our own chain from an image pair to the marks' places, as the two services run it but without the bus between them;
+// the whole, and its stages one by one.
+
+#include <cstddef>
+#include <vector>
+
+#include "common/robot/robot_description.hpp"
+#include "services/mark-detector/mark_detector.hpp"
+#include "services/target-locator/mark_locator.hpp"
+#include "tests/bench/stereo_scene.hpp"
+
+namespace markservo::bench {
+
+enum class Scan { kWholeImage };
+
+class Ours {
+ public:
+  struct Result {
+    mark_detector::Output detection;
+    std::vector<target_locator::Location> locations;  // one a mark
+  };
+
+  Ours(const std::vector<robot::MarkDescription>& marks, const geometry::StereoCamera& camera, Scan scan);
+
+  // The whole chain.
+  Result run(const StereoPair& pair);
+  // Its two services.
+  mark_detector::Output detect(const StereoPair& pair);
+  std::vector<target_locator::Location> locate(const mark_detector::Output& detection) const;
+
+  // The detector's parts, with what each needs from the one before it.
+  mark_detector::LumaShift equalise(const StereoPair& pair) const;
+  void classify(const StereoPair& pair, const mark_detector::LumaShift& shift);
+  std::size_t label();  // what was classified last; the number of blobs
+
+ private:
+  std::vector<robot::MarkDescription> marks_;
+  geometry::StereoCamera camera_;
+  mark_detector::Parameters parameters_;
+  mark_detector::MarkDetector detector_;
+  mark_detector::State state_;
+  target_locator::LocatorParameters locator_;
+  std::vector<mark_detector::ColourRule> rules_;
+  std::vector<mark_detector::BitMask> left_masks_;
+  std::vector<mark_detector::BitMask> right_masks_;
+};
+
+}  // namespace markservo::bench
