@@ -70,6 +70,28 @@ void BitMask::set_row(int v, const uint8_t* bytes) {
   }
 }
 
+int BitMask::next(int v, int u, bool wanted) const {
+  const uint64_t* words = row(v);
+  const uint64_t flip = wanted ? 0 : ~uint64_t{0};
+  while (u < width_) {
+    const uint64_t rest = (words[u / kWordBits] ^ flip) >> (u % kWordBits);
+    if (rest != 0) return std::min(width_, u + __builtin_ctzll(rest));
+    u += kWordBits - u % kWordBits;
+  }
+  return width_;
+}
+
+uint64_t BitMask::window(int u, int v) const {
+  if (v < 0 || v >= height_ || u >= width_ || u <= -kWordBits) return 0;
+  const uint64_t* words = row(v);
+  if (u < 0) return words[0] << -u;
+  const int word = u / kWordBits;
+  const int bit = u % kWordBits;
+  uint64_t bits = words[word] >> bit;
+  if (bit > 0 && word + 1 < words_per_row_) bits |= words[word + 1] << (kWordBits - bit);
+  return bits;
+}
+
 int64_t BitMask::count() const {
   int64_t n = 0;
   for (const uint64_t word : words_) n += __builtin_popcountll(word);
@@ -106,6 +128,48 @@ BitMask majority3(const BitMask& mask) {
       const uint64_t two = both_a | both_b | (odd_a & odd_b);
       out[i] = three | (two & one);
     }
+    out[words - 1] &= tail;
+  }
+  return result;
+}
+
+BitMask dilate(const BitMask& mask, int reach) {
+  const int words = mask.words_per_row();
+  BitMask across(mask.width(), mask.height());
+  BitMask result(mask.width(), mask.height());
+  if (words == 0) return result;
+  const uint64_t tail = low_bits((mask.width() - 1) % BitMask::kWordBits + 1);
+  for (int v = 0; v < mask.height(); ++v) {
+    const uint64_t* in = mask.row(v);
+    uint64_t* out = across.row(v);
+    for (int i = 0; i < words; ++i) {
+      uint64_t bits = in[i];
+      for (int k = 1; k <= reach; ++k)
+        bits |= mask.window(i * BitMask::kWordBits - k, v) | mask.window(i * BitMask::kWordBits + k, v);
+      out[i] = bits;
+    }
+    out[words - 1] &= tail;
+  }
+  for (int v = 0; v < mask.height(); ++v) {
+    uint64_t* out = result.row(v);
+    const int end = std::min(mask.height() - 1, v + reach);
+    for (int from = std::max(0, v - reach); from <= end; ++from) {
+      const uint64_t* in = across.row(from);
+      for (int i = 0; i < words; ++i) out[i] |= in[i];
+    }
+  }
+  return result;
+}
+
+BitMask complement(const BitMask& mask) {
+  BitMask result(mask.width(), mask.height());
+  const int words = mask.words_per_row();
+  if (words == 0) return result;
+  const uint64_t tail = low_bits((mask.width() - 1) % BitMask::kWordBits + 1);
+  for (int v = 0; v < mask.height(); ++v) {
+    const uint64_t* in = mask.row(v);
+    uint64_t* out = result.row(v);
+    for (int i = 0; i < words; ++i) out[i] = ~in[i];
     out[words - 1] &= tail;
   }
   return result;

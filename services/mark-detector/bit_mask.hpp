@@ -28,10 +28,20 @@ class BitMask {
   const uint64_t* row(int v) const { return words_.data() + offset(v); }
 
   bool test(int u, int v) const { return (row(v)[u / kWordBits] >> (u % kWordBits)) & 1U; }
+  void set(int u, int v, bool value) {
+    const uint64_t bit = uint64_t{1} << (u % kWordBits);
+    uint64_t& word = row(v)[u / kWordBits];
+    word = value ? word | bit : word & ~bit;
+  }
   // Sets the pixels [begin, end) of row v.
   void set_run(int v, int begin, int end);
   // Sets row v from one byte a pixel, each 0 or 1.
   void set_row(int v, const uint8_t* bytes);
+
+  // First pixel at or after `u` in row v whose bit is `wanted`, or the width.
+  int next(int v, int u, bool wanted) const;
+  // The 64 pixels of row v from column u on, lowest bit first; zero beyond the mask, on every side.
+  uint64_t window(int u, int v) const;
 
   // Number of set pixels.
   int64_t count() const;
@@ -52,5 +62,11 @@ class BitMask {
 // 3 x 3 majority: a pixel is set if at least 5 of the 9 around it are; outside the image the border repeats. Takes away
 // lone pixels and fills single holes, and leaves straight edges where they are.
 BitMask majority3(const BitMask& mask);
+
+// Every pixel within `reach`, 0 or more, of a set one along rows and columns (a square around each).
+BitMask dilate(const BitMask& mask, int reach);
+
+// What is not set.
+BitMask complement(const BitMask& mask);
 
 }  // namespace markservo::mark_detector

@@ -8,17 +8,6 @@
 namespace markservo::mark_detector {
 namespace {
 
-// First pixel at or after `u` whose bit is `wanted`, or the width.
-int find_next(const uint64_t* row, int u, int width, bool wanted) {
-  const uint64_t flip = wanted ? 0 : ~uint64_t{0};
-  while (u < width) {
-    const uint64_t rest = (row[u / BitMask::kWordBits] ^ flip) >> (u % BitMask::kWordBits);
-    if (rest != 0) return std::min(width, u + __builtin_ctzll(rest));
-    u += BitMask::kWordBits - u % BitMask::kWordBits;
-  }
-  return width;
-}
-
 class DisjointSets {
  public:
   int32_t add() {
@@ -59,16 +48,15 @@ LabelledRuns label(const BitMask& mask, Connectivity connectivity) {
   for (int v = 0; v < mask.height(); ++v) {
     const std::size_t row_begin = runs.size();
     std::size_t above = above_begin;
-    const uint64_t* row = mask.row(v);
-    for (int begin = find_next(row, 0, mask.width(), true); begin < mask.width();) {
-      const int end = find_next(row, begin, mask.width(), false);
+    for (int begin = mask.next(v, 0, true); begin < mask.width();) {
+      const int end = mask.next(v, begin, false);
       const int32_t own = sets.add();
       runs.push_back({v, begin, end});
       while (above < above_end && runs[above].end + reach <= begin) ++above;
       for (std::size_t i = above; i < above_end && runs[i].begin < end + reach; ++i) {
         sets.join(static_cast<int32_t>(i), own);
       }
-      begin = find_next(row, end, mask.width(), true);
+      begin = mask.next(v, end, true);
     }
     above_begin = row_begin;
     above_end = runs.size();

@@ -79,6 +79,7 @@ MarkDetector::MarkDetector(std::vector<robot::MarkDescription> marks, const Para
   check(parameters_.patch.margin >= 0, "patch margin below 0 px");
   check(parameters_.outline.band >= 1 && parameters_.outline.reach > 2 * parameters_.outline.band,
         "outline reach not above twice the band");
+  check(parameters_.outline.reach <= 60, "outline reach above 60 px");
   rules_.reserve(marks_.size());
   for (const auto& mark : marks_) rules_.push_back(make_rule(mark.colour, parameters_.chroma_min));
 }

@@ -6,35 +6,19 @@
 #include <cstdint>
 #include <limits>
 
+#include "services/mark-detector/outline_kernel.hpp"
+
 namespace markservo::mark_detector {
 namespace {
 
-// Sums of the pixels that are surely the mark, then of those that surely are not.
-struct ColourSums {
-  enum Index { kMarkCount, kMarkB, kMarkG, kMarkR, kRestCount, kRestB, kRestG, kRestR, kSize };
-  std::array<int64_t, kSize> sum{};
-
-  void add(Depth depth, const uint8_t* p, int sign) {
-    if (depth != Depth::kInside && depth != Depth::kOutside) return;
-    const std::size_t first = depth == Depth::kInside ? kMarkCount : kRestCount;
-    sum[first] += sign;
-    for (std::size_t c = 0; c < 3; ++c) sum[first + 1 + c] += static_cast<int64_t>(sign) * p[c];
-  }
-  void add(const ColourSums& other, int sign) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += sign * other.sum[i];
-  }
-};
+// What is summed of the columns around a pixel: as ColumnSums has it.
+using ColourSums = std::array<int, ColumnSums::kPlanes>;
 
 // Column sums over the rows around one row, moved down as the row moves: memory of one row whatever the mark's size.
 class LocalColours {
  public:
-  LocalColours(const ImageView& image, const Region& region, const std::vector<Depth>& depth, int reach)
-      : image_(image),
-        region_(region),
-        depth_(depth),
-        reach_(reach),
-        columns_(static_cast<std::size_t>(region.width)),
-        prefix_(columns_.size() + 1) {
+  LocalColours(const ImageView& image, const Region& region, const Depths& depths, int reach)
+      : image_(image), region_(region), depths_(depths), reach_(reach), columns_(region.width) {
     for (int j = 0; j < std::min(reach_, region_.height); ++j) add_row(j, 1);
   }
 
@@ -42,47 +26,59 @@ class LocalColours {
   void move_to(int j) {
     if (j + reach_ < region_.height) add_row(j + reach_, 1);
     if (j - reach_ - 1 >= 0) add_row(j - reach_ - 1, -1);
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      prefix_[i + 1] = prefix_[i];
-      prefix_[i + 1].add(columns_[i], 1);
-    }
+    at_ = kNowhere;
   }
 
-  ColourSums around(int i) const {
-    const auto begin = static_cast<std::size_t>(std::max(0, i - reach_));
-    const auto end = static_cast<std::size_t>(std::min(region_.width, i + reach_ + 1));
-    ColourSums sums = prefix_[end];
-    sums.add(prefix_[begin], -1);
-    return sums;
+  // Around column i; least work for columns in order.
+  const ColourSums& around(int i) {
+    if (at_ != kNowhere && at_ < i && i - at_ <= reach_) {
+      while (at_ < i) {
+        ++at_;
+        if (at_ + reach_ < region_.width) add_column(at_ + reach_, 1);
+        if (at_ - reach_ - 1 >= 0) add_column(at_ - reach_ - 1, -1);
+      }
+      return sums_;
+    }
+    sums_ = ColourSums{};
+    const int end = std::min(region_.width, i + reach_ + 1);
+    for (int column = std::max(0, i - reach_); column < end; ++column) add_column(column, 1);
+    at_ = i;
+    return sums_;
   }
 
  private:
+  static constexpr int kNowhere = -1;
+
   void add_row(int j, int sign) {
-    const uint8_t* p = image_.pixel(region_.x, region_.y + j);
-    const Depth* depth = &depth_[region_.index(0, j)];
-    for (std::size_t i = 0; i < columns_.size(); ++i, p += 3) columns_[i].add(depth[i], p, sign);
+    columns_.add(image_.pixel(region_.x, region_.y + j), depths_.inside.row(j), depths_.outside.row(j), sign);
+  }
+  void add_column(int column, int sign) {
+    for (std::size_t k = 0; k < sums_.size(); ++k) {
+      sums_[k] += sign * columns_.at(static_cast<ColumnSums::Plane>(k), column);
+    }
   }
 
   const ImageView& image_;
   const Region& region_;
-  const std::vector<Depth>& depth_;
+  const Depths& depths_;
   int reach_;
-  std::vector<ColourSums> columns_;
-  std::vector<ColourSums> prefix_;
+  ColumnSums columns_;
+  ColourSums sums_{};
+  int at_ = kNowhere;
 };
 
 // Coverage of pixel p, or `classified` where it cannot be told.
 double coverage(const ColourSums& sums, const uint8_t* p, double classified, const OutlineParameters& parameters) {
-  const auto value = [&sums](std::size_t i) { return static_cast<double>(sums.sum[i]); };
-  const double n_mark = value(ColourSums::kMarkCount);
-  const double n_rest = value(ColourSums::kRestCount);
-  if (n_mark == 0.0 || n_rest == 0.0) return classified;
+  const auto value = [&sums](std::size_t i) { return static_cast<double>(sums[i]); };
+  if (sums[ColumnSums::kMarkCount] == 0 || sums[ColumnSums::kRestCount] == 0) return classified;
+  const double per_mark = 1.0 / value(ColumnSums::kMarkCount);
+  const double per_rest = 1.0 / value(ColumnSums::kRestCount);
   double along = 0.0;
   double contrast_2 = 0.0;
   double distance_2 = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
-    const double background = value(ColourSums::kRestB + c) / n_rest;
-    const double step = value(ColourSums::kMarkB + c) / n_mark - background;
+    const double background = value(ColumnSums::kRestB + c) * per_rest;
+    const double step = value(ColumnSums::kMarkB + c) * per_mark - background;
     const double from_background = p[c] - background;
     along += from_background * step;
     contrast_2 += step * step;
@@ -104,11 +100,20 @@ class WeightedShape {
     sum_uu_ += weight * i * i;
     sum_uv_ += weight * i * j;
     sum_vv_ += weight * j * j;
-    if (weight < 0.5) return;
-    left_ = std::min(left_, i);
-    right_ = std::max(right_, i + 1);
-    top_ = std::min(top_, j);
-    bottom_ = std::max(bottom_, j + 1);
+    if (weight >= 0.5) widen(i, i + 1, j);
+  }
+  // Columns [begin, end) of row j, wholly covered.
+  void add_run(int begin, int end, int j) {
+    const double n = end - begin;
+    const double u = 0.5 * n * (begin + end - 1);
+    const auto squares = [](double m) { return (m - 1.0) * m * (2.0 * m - 1.0) / 6.0; };  // 0 + 1 + 4 + ... + (m - 1)^2
+    area_ += n;
+    sum_u_ += u;
+    sum_v_ += n * j;
+    sum_uu_ += squares(end) - squares(begin);
+    sum_uv_ += u * j;
+    sum_vv_ += n * j * j;
+    widen(begin, end, j);
   }
 
   // At least one pixel must have been added with a weight of a half or more.
@@ -131,6 +136,13 @@ class WeightedShape {
   bool empty() const { return right_ == 0; }
 
  private:
+  void widen(int begin, int end, int j) {
+    left_ = std::min(left_, begin);
+    right_ = std::max(right_, end);
+    top_ = std::min(top_, j);
+    bottom_ = std::max(bottom_, j + 1);
+  }
+
   double area_ = 0.0;
   double sum_u_ = 0.0;
   double sum_v_ = 0.0;
@@ -150,20 +162,21 @@ OutlinedMark outline(const ImageView& image, const std::vector<PixelRun>& runs, 
   const int margin = parameters.band + parameters.reach;  // background enough for the outermost blended pixel
   mark.region = make_region(runs, margin, image.width, image.height);
   Region& region = mark.region;
-  const std::vector<Depth> depth = depths(region, parameters.band);
+  const Depths depth = depths(region, parameters.band);
   LocalColours colours(image, region, depth, parameters.reach);
   WeightedShape weighted;
   for (int j = 0; j < region.height; ++j) {
     colours.move_to(j);
-    for (int i = 0; i < region.width; ++i) {
-      const std::size_t k = region.index(i, j);
-      if (depth[k] == Depth::kOutside) continue;
-      double alpha = region.inside[k];
-      if (depth[k] != Depth::kInside) {
-        alpha = coverage(colours.around(i), image.pixel(region.x + i, region.y + j), alpha, parameters);
-      }
-      region.inside[k] = alpha >= 0.5 ? 1 : 0;
+    for (int i = depth.band.next(j, 0, true); i < region.width; i = depth.band.next(j, i + 1, true)) {
+      const double classified = region.inside.test(i, j) ? 1.0 : 0.0;
+      const double alpha = coverage(colours.around(i), image.pixel(region.x + i, region.y + j), classified, parameters);
+      region.inside.set(i, j, alpha >= 0.5);
       weighted.add(i, j, alpha);
+    }
+    for (int begin = depth.inside.next(j, 0, true); begin < region.width;) {
+      const int end = depth.inside.next(j, begin, false);
+      weighted.add_run(begin, end, j);
+      begin = depth.inside.next(j, end, true);
     }
   }
   if (weighted.empty()) return hard_outline(runs, image.width, image.height);

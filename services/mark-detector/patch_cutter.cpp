@@ -1,6 +1,7 @@
 #include "services/mark-detector/patch_cutter.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace markservo::mark_detector {
 namespace {
@@ -26,6 +27,24 @@ Span cover(int box_begin, int box_end, int margin, int scale, int size) {
   span.count = std::min((end - begin + scale - 1) / scale, size / scale);
   span.begin = std::min(begin, size - span.count * scale);
   return span;
+}
+
+// At scale 1: the image's own pixels, the region's own bits.
+void copy_patch(const ImageView& image, const Region& mark, Patch& patch) {
+  const auto row_bytes = 3 * static_cast<std::size_t>(patch.width);
+  const std::size_t mask_stride = (static_cast<std::size_t>(patch.width) + 7) / 8;
+  for (int j = 0; j < patch.height; ++j) {
+    const auto row = static_cast<std::size_t>(j);
+    std::memcpy(&patch.bgr[row * row_bytes], image.pixel(patch.x, patch.y + j), row_bytes);
+    for (int i = 0; i < patch.width; i += BitMask::kWordBits) {
+      uint64_t bits = mark.inside.window(patch.x + i - mark.x, patch.y + j - mark.y);
+      const int n = std::min(BitMask::kWordBits, patch.width - i);
+      if (n < BitMask::kWordBits) bits &= (uint64_t{1} << n) - 1;
+      for (int k = 0; k < n; k += 8) {
+        patch.mask[row * mask_stride + static_cast<std::size_t>(i + k) / 8] = static_cast<uint8_t>(bits >> k);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -74,6 +93,10 @@ Patch cut_patch(const ImageView& image, const Region& mark, const PatchFrame& fr
   const std::size_t mask_stride = (width + 7) / 8;
   patch.bgr.resize(width * height * 3);
   patch.mask.assign(mask_stride * height, 0);
+  if (frame.scale == 1) {
+    copy_patch(image, mark, patch);
+    return patch;
+  }
   const int n = frame.scale * frame.scale;
   std::vector<int> sums(width * 4);  // b, g, r, pixels of the mark
   for (std::size_t j = 0; j < height; ++j) {

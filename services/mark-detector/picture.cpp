@@ -31,7 +31,7 @@ cv::Mat mask_of(const Region& region, cv::Size size) {
   cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
   for (int j = 0; j < region.height; ++j) {
     uint8_t* row = mask.ptr<uint8_t>(region.y + j);
-    for (int i = 0; i < region.width; ++i) row[region.x + i] = region.inside[region.index(i, j)] != 0 ? 255 : 0;
+    for (int i = 0; i < region.width; ++i) row[region.x + i] = region.inside.test(i, j) ? 255 : 0;
   }
   return mask;
 }

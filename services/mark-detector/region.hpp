@@ -1,11 +1,10 @@
 #pragma once
 
-// A window of the image around one mark, a byte per pixel: for work on its outline.
+// A window of the image around one mark: for work on its outline.
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
+#include "services/mark-detector/bit_mask.hpp"
 #include "services/mark-detector/blobs.hpp"
 
 namespace markservo::mark_detector {
@@ -15,32 +14,27 @@ struct Region {
   int y = 0;  // px of the image, top row
   int width = 0;
   int height = 0;
-  std::vector<uint8_t> inside;  // 1 where the mark is, row by row
+  BitMask inside;  // of the window's size, set where the mark is
 
   // Coordinates of the image; outside the window nothing is inside.
   bool test(int u, int v) const {
     if (u < x || v < y || u >= x + width || v >= y + height) return false;
-    return inside[index(u - x, v - y)] != 0;
-  }
-  // Coordinates of the window.
-  std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i);
+    return inside.test(u - x, v - y);
   }
 };
 
 // The runs' box widened by `margin` px, as far as the image reaches. Empty for no runs.
 Region make_region(const std::vector<PixelRun>& runs, int margin, int image_width, int image_height);
 
-// How far a pixel of the window is from the mark's outline.
-enum class Depth : uint8_t {
-  kOutside,    // further than the band from every pixel of the mark
-  kOuterBand,  // not in the mark, within the band
-  kInnerBand,  // in the mark, within the band of a pixel that is not
-  kInside,     // in the mark, further
+// How far the pixels of a window are from the mark's outline; every one is in one of the three.
+struct Depths {
+  BitMask inside;   // in the mark, further than the band from every pixel that is not
+  BitMask band;     // nearer to the outline than that, on either side
+  BitMask outside;  // not in the mark, further than the band from every pixel of it
 };
 
-// The depth of each pixel of the window, with a band of `band` px (chessboard distance) on either side. Beyond the
-// window's border nothing is known, so the border itself makes no outline.
-std::vector<Depth> depths(const Region& region, int band);
+// With a band of `band` px (chessboard distance) on either side. Beyond the window's border nothing is known, so the
+// border itself makes no outline.
+Depths depths(const Region& region, int band);
 
 }  // namespace markservo::mark_detector

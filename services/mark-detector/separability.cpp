@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kBlended = 2;          // px along the outline that are mark and background mixed
 constexpr int kLeastMargin = 8;      // px
-constexpr int kSamplesPerSide = 64;  // rows and columns looked at: enough for a mean, bounded for any size
+constexpr int kSamplesPerSide = 24;  // rows and columns looked at: enough for a mean, bounded for any size
 
 // Mean and covariance of chromaticity.
 struct Chromaticity {
