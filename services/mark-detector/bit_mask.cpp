@@ -10,6 +10,7 @@ namespace {
 struct RowSum {
   std::vector<uint64_t> ones;
   std::vector<uint64_t> twos;
+  bool empty = true;  // all zero
 };
 
 uint64_t majority(uint64_t a, uint64_t b, uint64_t c) {
@@ -17,6 +18,15 @@ uint64_t majority(uint64_t a, uint64_t b, uint64_t c) {
 }
 
 void sum_row(const BitMask& mask, int v, RowSum& sum) {
+  if (mask.row_empty(v)) {
+    if (!sum.empty) {
+      std::fill(sum.ones.begin(), sum.ones.end(), 0);
+      std::fill(sum.twos.begin(), sum.twos.end(), 0);
+    }
+    sum.empty = true;
+    return;
+  }
+  sum.empty = false;
   const uint64_t* row = mask.row(v);
   const int last = mask.words_per_row() - 1;
   const uint64_t last_pixel = uint64_t{1} << ((mask.width() - 1) % BitMask::kWordBits);
@@ -70,6 +80,13 @@ void BitMask::set_row(int v, const uint8_t* bytes) {
   }
 }
 
+bool BitMask::row_empty(int v) const {
+  const uint64_t* words = row(v);
+  uint64_t any = 0;
+  for (int i = 0; i < words_per_row_; ++i) any |= words[i];
+  return any == 0;
+}
+
 int BitMask::next(int v, int u, bool wanted) const {
   const uint64_t* words = row(v);
   const uint64_t flip = wanted ? 0 : ~uint64_t{0};
@@ -115,6 +132,7 @@ BitMask majority3(const BitMask& mask) {
     const RowSum& here = sums[(v + 1) % 3];
     RowSum& below = sums[(v + 2) % 3];
     sum_row(mask, std::min(v + 1, mask.height() - 1), below);
+    if (above.empty && here.empty && below.empty) continue;
     uint64_t* out = result.row(v);
     for (std::size_t i = 0; i < words; ++i) {
       const uint64_t one = above.ones[i] ^ here.ones[i] ^ below.ones[i];

@@ -38,6 +38,7 @@ class BitMask {
   // Sets row v from one byte a pixel, each 0 or 1.
   void set_row(int v, const uint8_t* bytes);
 
+  bool row_empty(int v) const;
   // First pixel at or after `u` in row v whose bit is `wanted`, or the width.
   int next(int v, int u, bool wanted) const;
   // The 64 pixels of row v from column u on, lowest bit first; zero beyond the mask, on every side.

@@ -48,7 +48,8 @@ LabelledRuns label(const BitMask& mask, Connectivity connectivity) {
   for (int v = 0; v < mask.height(); ++v) {
     const std::size_t row_begin = runs.size();
     std::size_t above = above_begin;
-    for (int begin = mask.next(v, 0, true); begin < mask.width();) {
+    const int first = mask.row_empty(v) ? mask.width() : mask.next(v, 0, true);
+    for (int begin = first; begin < mask.width();) {
       const int end = mask.next(v, begin, false);
       const int32_t own = sets.add();
       runs.push_back({v, begin, end});

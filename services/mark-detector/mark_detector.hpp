@@ -22,7 +22,7 @@ namespace markservo::mark_detector {
 
 struct Parameters {
   bool equalise = true;
-  int histogram_step = 4;      // every fourth row: the table is off by one level at most, for a quarter of the time
+  int histogram_step = 8;      // every eighth row: the table is off by one level at most, for an eighth of the time
   int chroma_min = 14;         // levels; below it hue is noise (sigma 3 makes 5 on grey, 11 at the 99.9th percentile)
   int64_t min_area = 60;       // px; a mark of 8 x 8 px has no texture to match
   double hole_fraction = 0.1;  // of the blob's area: holes up to this are dirt, glare or print, and belong to the mark

@@ -67,27 +67,29 @@ class LocalColours {
   int at_ = kNowhere;
 };
 
-// Coverage of pixel p, or `classified` where it cannot be told.
+// Coverage of pixel p, or `classified` where it cannot be told. With n and s the counts and sums of both classes, what
+// is scaled by n_mark n_rest, and what is from the background by n_rest, needs no division.
 double coverage(const ColourSums& sums, const uint8_t* p, double classified, const OutlineParameters& parameters) {
-  const auto value = [&sums](std::size_t i) { return static_cast<double>(sums[i]); };
-  if (sums[ColumnSums::kMarkCount] == 0 || sums[ColumnSums::kRestCount] == 0) return classified;
-  const double per_mark = 1.0 / value(ColumnSums::kMarkCount);
-  const double per_rest = 1.0 / value(ColumnSums::kRestCount);
+  const double n_mark = sums[ColumnSums::kMarkCount];
+  const double n_rest = sums[ColumnSums::kRestCount];
+  if (n_mark == 0.0 || n_rest == 0.0) return classified;
   double along = 0.0;
   double contrast_2 = 0.0;
   double distance_2 = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
-    const double background = value(ColumnSums::kRestB + c) * per_rest;
-    const double step = value(ColumnSums::kMarkB + c) * per_mark - background;
-    const double from_background = p[c] - background;
+    const double background = sums[ColumnSums::kRestB + c];
+    const double step = sums[ColumnSums::kMarkB + c] * n_rest - background * n_mark;
+    const double from_background = p[c] * n_rest - background;
     along += from_background * step;
     contrast_2 += step * step;
     distance_2 += from_background * from_background;
   }
-  if (contrast_2 < parameters.contrast_min * parameters.contrast_min) return classified;
-  const double beside_2 = distance_2 - along * along / contrast_2;
-  if (beside_2 > parameters.beside_max * parameters.beside_max * contrast_2) return classified;
-  return std::clamp(along / contrast_2, 0.0, 1.0);
+  const double least = parameters.contrast_min * n_mark * n_rest;
+  if (contrast_2 < least * least) return classified;
+  const double share = along / contrast_2;
+  const double beside = parameters.beside_max / n_mark;
+  if (distance_2 - along * share > beside * beside * contrast_2) return classified;
+  return std::clamp(share * n_mark, 0.0, 1.0);
 }
 
 // Weighted sums from the region's corner.
@@ -167,11 +169,16 @@ OutlinedMark outline(const ImageView& image, const std::vector<PixelRun>& runs, 
   WeightedShape weighted;
   for (int j = 0; j < region.height; ++j) {
     colours.move_to(j);
-    for (int i = depth.band.next(j, 0, true); i < region.width; i = depth.band.next(j, i + 1, true)) {
-      const double classified = region.inside.test(i, j) ? 1.0 : 0.0;
-      const double alpha = coverage(colours.around(i), image.pixel(region.x + i, region.y + j), classified, parameters);
-      region.inside.set(i, j, alpha >= 0.5);
-      weighted.add(i, j, alpha);
+    const uint64_t* band = depth.band.row(j);
+    for (int word = 0; word < depth.band.words_per_row(); ++word) {
+      for (uint64_t bits = band[word]; bits != 0; bits &= bits - 1) {
+        const int i = word * BitMask::kWordBits + __builtin_ctzll(bits);
+        const double classified = region.inside.test(i, j) ? 1.0 : 0.0;
+        const double alpha =
+            coverage(colours.around(i), image.pixel(region.x + i, region.y + j), classified, parameters);
+        region.inside.set(i, j, alpha >= 0.5);
+        weighted.add(i, j, alpha);
+      }
     }
     for (int begin = depth.inside.next(j, 0, true); begin < region.width;) {
       const int end = depth.inside.next(j, begin, false);

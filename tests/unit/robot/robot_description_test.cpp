@@ -41,7 +41,7 @@ class RobotFile : public ::testing::Test {
     try {
       load();
     } catch (const ConfigurationError& error) {
-      const std::string what = error.what();
+      std::string what = error.what();
       EXPECT_EQ(what.find('\n'), std::string::npos) << what;
       EXPECT_NE(what.find(path_.string()), std::string::npos) << what;
       EXPECT_NE(what.find("allowed"), std::string::npos) << what;
