@@ -23,7 +23,7 @@ struct LocatorParameters {
   FeatureParameters features;
   SeedParameters seed;
   AlignmentParameters alignment;
-  RefinementParameters verification = {5, false, 3, 0.02, 1.0, 0.6};  // of a plane's features, from where it says
+  RefinementParameters verification = {5, false, 3, 0.25, 1.0, 0.6};  // of a plane's features, from where it says
   OutlineParameters outline;
   PaperParameters paper;
   SearchParameters search;  // free surfaces; its disparities are replaced by the boxes' where min >= max

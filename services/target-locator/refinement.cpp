@@ -138,8 +138,10 @@ std::optional<RefinedMatch> refine_match(const StereoPatch& patch, const Feature
 
   const double u = patch.left_frame.u_of(feature.column);
   LocalDisparity local = start;
-  for (int k = 0; k < parameters.max_iterations; ++k) {
-    const auto seen = compare(window, patch, u, local);
+  std::optional<Comparison> seen;
+  bool settled = false;
+  for (int k = 0; k < parameters.max_iterations && !settled; ++k) {
+    seen = compare(window, patch, u, local);
     if (!seen || !(seen->gain > 1.0 / kLargestGain) || !(seen->gain < kLargestGain)) return std::nullopt;
     const Eigen::Vector3d change = step * seen->mismatch / seen->gain;
     local.disparity += change[0];
@@ -147,9 +149,10 @@ std::optional<RefinedMatch> refine_match(const StereoPatch& patch, const Feature
     local.along_v += change[2];
     if (!(std::abs(local.disparity - start.disparity) <= parameters.max_change_px)) return std::nullopt;
     if (!(std::abs(local.along_u) < kSteepest) || !(std::abs(local.along_v) < kSteepest)) return std::nullopt;
-    if (std::abs(change[0]) < parameters.settled_px) break;
+    settled = std::abs(change[0]) < parameters.settled_px;
   }
-  const auto seen = compare(window, patch, u, local);
+  // What was seen a settled step before will do.
+  if (!settled) seen = compare(window, patch, u, local);
   if (!seen || !(seen->energy > 0.0)) return std::nullopt;
   RefinedMatch match;
   match.local = local;

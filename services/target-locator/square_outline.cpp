@@ -168,16 +168,17 @@ double points_per_independent_one(const std::vector<double>& residual, double to
 bool fit_line(const std::vector<EdgePoint>& points, std::size_t wanted, double tolerance_floor,
               const OutlineParameters& parameters, Side& side) {
   if (points.size() < 6) return false;
+  constexpr int kPasses = 5;
   std::vector<double> residual(points.size());
+  std::vector<double> size(points.size());
   double tolerance = 1e9;
   std::size_t good = 0;
-  for (int pass = 0; pass < 5; ++pass) {
+  for (int pass = 0; pass < kPasses; ++pass) {
     double n = 0.0;
     double st = 0.0;
     double sz = 0.0;
     double stt = 0.0;
     double stz = 0.0;
-    double squares = 0.0;
     good = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double t = points[i].along - side.middle;
@@ -193,21 +194,25 @@ bool fit_line(const std::vector<EdgePoint>& points, std::size_t wanted, double t
     if (good < 6 || !(determinant > 1e-9)) return false;
     side.q = (n * stz - st * sz) / determinant;
     side.p = (stt * sz - st * stz) / determinant;
-    std::vector<double> size;
-    size.reserve(points.size());
+    double squares = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double before = residual[i];
       residual[i] = points[i].across - side.across(points[i].along);
-      size.push_back(std::abs(residual[i]));
+      size[i] = std::abs(residual[i]);
       if (pass == 0 || std::abs(before) <= tolerance) squares += residual[i] * residual[i];
+    }
+    if (pass + 1 == kPasses || good == points.size()) {
+      const double variance = points_per_independent_one(residual, tolerance) * squares / std::max(1.0, n - 2.0);
+      side.rms = std::sqrt(squares / n);
+      side.covariance << stt, -st, -st, n;
+      side.covariance *= variance / determinant;
     }
     const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
     std::nth_element(size.begin(), middle, size.end());
-    const double variance = points_per_independent_one(residual, tolerance) * squares / std::max(1.0, n - 2.0);
-    side.rms = std::sqrt(squares / n);
-    side.covariance << stt, -st, -st, n;
-    side.covariance *= variance / determinant;
-    tolerance = std::max(tolerance_floor, 3.0 * 1.4826 * *middle);
+    const double next = std::max(tolerance_floor, 3.0 * 1.4826 * *middle);
+    // A fit to all points that leaves none of them out is the last.
+    if (good == points.size() && *std::max_element(size.begin(), size.end()) <= next) break;
+    tolerance = next;
   }
   return static_cast<double>(good) >= parameters.min_good_share * static_cast<double>(wanted);
 }

@@ -38,7 +38,7 @@ std::string changed_scene(const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
-  const std::string path = testing::TempDir() + "simulator_scene.yaml";
+  std::string path = testing::TempDir() + "simulator_scene.yaml";
   std::ofstream(path) << text;
   return path;
 }

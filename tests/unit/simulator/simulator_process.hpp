@@ -33,6 +33,7 @@ class SimulatorProcess {
                                       root + "/config/robot.yaml", "--scene", root + "/config/scenes/shelf.yaml"};
     words.insert(words.end(), options.begin(), options.end());
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     pid_ = fork();

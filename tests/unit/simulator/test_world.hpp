@@ -2,6 +2,7 @@
 
 // The default robot before the shelf, for tests.
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +36,7 @@ inline World test_world(const Settings& settings, std::uint64_t seed = 1) {
 }
 
 inline void wait(World& world, double seconds) {
-  const int steps = static_cast<int>(seconds / kTimeStep + 0.5);
+  const int steps = static_cast<int>(std::lround(seconds / kTimeStep));
   for (int i = 0; i < steps; ++i) world.step();
 }
 
