@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "services/target-locator/plane_kernel.hpp"
 #include "services/target-locator/plane_template.hpp"
 
 namespace markservo::target_locator {
@@ -12,7 +13,7 @@ namespace {
 
 // Parameters of right(u - disparity) = gain left + offset + rising d left / dv: disparity at the centre, along u, along
 // v (both per half extent of the mark), gain, offset, and how much higher the right view lies than the rows say.
-constexpr int kNumParameters = 6;
+constexpr int kNumParameters = kPlaneParameters;
 using Vector6 = Eigen::Matrix<double, kNumParameters, 1>;
 using Matrix6 = Eigen::Matrix<double, kNumParameters, kNumParameters>;
 
@@ -22,37 +23,18 @@ struct NormalMatrices {
   double count = 0.0;
 };
 
-// Left factor Sobel's gradient (little noise), right factor the plain difference (the texture's true slope). They
-// differ in the three rows of the plane only.
 NormalMatrices normal_matrices(const PlaneTemplate& t) {
+  const DerivativeSums derivatives = sum_derivatives(t);
   NormalMatrices sums;
-  Eigen::Matrix<float, 6, 6> information = Eigen::Matrix<float, 6, 6>::Zero();
-  Eigen::Matrix<float, 6, 3> cross = Eigen::Matrix<float, 6, 3>::Zero();
-  std::size_t in_block = 0;
-  const auto flush = [&] {
-    sums.information += information.cast<double>();
-    sums.newton.leftCols<3>() += cross.cast<double>();
-    information.setZero();
-    cross.setZero();
-    in_block = 0;
-  };
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    if (t.used[i] == 0) continue;
-    const float gu = t.gradient_u[i];
-    const float su = t.slope_u[i];
-    const float left[6] = {-gu, -gu * t.along_u[i], -gu * t.along_v[i], -t.grey[i], -1.0F, -t.gradient_v[i]};
-    const float right[3] = {-su, -su * t.along_u[i], -su * t.along_v[i]};
-    for (int column = 0; column < 6; ++column) {
-      for (int row = 0; row < 6; ++row) information(row, column) += left[row] * left[column];
+  for (int row = 0; row < kNumParameters; ++row) {
+    const auto r = static_cast<std::size_t>(row);
+    for (int column = 0; column < kNumParameters; ++column) {
+      sums.information(row, column) = derivatives.information[r][static_cast<std::size_t>(column)];
+      sums.newton(row, column) =
+          column < 3 ? derivatives.cross[r][static_cast<std::size_t>(column)] : sums.information(row, column);
     }
-    for (int column = 0; column < 3; ++column) {
-      for (int row = 0; row < 6; ++row) cross(row, column) += left[row] * right[column];
-    }
-    sums.count += 1.0;
-    if (++in_block == 256) flush();
   }
-  flush();
-  sums.newton.rightCols<3>() = sums.information.rightCols<3>();
+  sums.count = sums.information(4, 4);  // the offset's derivative is 1 at every pixel
   return sums;
 }
 
@@ -63,43 +45,15 @@ struct Residuals {
 
 Residuals residuals(const PlaneTemplate& t, const std::vector<float>& warped, const Vector6& p,
                     std::vector<float>& residual) {
-  Residuals sums;
-  residual.resize(t.size());
-  const auto gain = static_cast<float>(p[3]);
-  const auto offset = static_cast<float>(p[4]);
-  const auto rising = static_cast<float>(p[5]);
-  float block[kNumParameters] = {};
-  float squares = 0.0F;
-  std::size_t in_block = 0;
-  const auto flush = [&] {
-    for (int k = 0; k < kNumParameters; ++k) {
-      sums.right_side[k] += static_cast<double>(block[k]);
-      block[k] = 0.0F;
-    }
-    sums.sum_of_squares += static_cast<double>(squares);
-    squares = 0.0F;
-    in_block = 0;
-  };
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    const float r = warped[i] - gain * t.grey[i] - offset - rising * t.gradient_v[i];
-    residual[i] = r;
-    if (t.used[i] == 0) continue;
-    const float gr = t.gradient_u[i] * r;
-    block[0] -= gr;
-    block[1] -= gr * t.along_u[i];
-    block[2] -= gr * t.along_v[i];
-    block[3] -= t.grey[i] * r;
-    block[4] -= r;
-    block[5] -= t.gradient_v[i] * r;
-    squares += r * r;
-    if (++in_block == 256) flush();
-  }
-  flush();
-  return sums;
+  residual.resize(t.padded());
+  const ResidualSums sums = sum_residuals(t, warped.data(), static_cast<float>(p[3]), static_cast<float>(p[4]),
+                                          static_cast<float>(p[5]), residual.data());
+  return {Vector6::Map(sums.products.data()), sums.squares};
 }
 
 // Median of |residual| times 1.4826.
-double robust_sigma(std::vector<float> residual) {
+double robust_sigma(std::vector<float> residual, std::size_t count) {
+  residual.resize(count);
   for (float& r : residual) r = std::abs(r);
   const auto middle = residual.begin() + static_cast<std::ptrdiff_t>(residual.size() / 2);
   std::nth_element(residual.begin(), middle, residual.end());
@@ -145,11 +99,12 @@ class Fit {
 
   // Leaves out the pixels with large residuals; returns the share that stays.
   double drop_outliers(double sigmas) {
-    const double limit = std::max(2.0, sigmas * robust_sigma(residual_));
+    const double limit = std::max(2.0, sigmas * robust_sigma(residual_, pixels_.size()));
     std::size_t kept = 0;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      pixels_.used[i] = std::abs(static_cast<double>(residual_[i])) <= limit ? 1 : 0;
-      kept += pixels_.used[i];
+      const bool keep = std::abs(static_cast<double>(residual_[i])) <= limit;
+      pixels_.weight[i] = keep ? 1.0F : 0.0F;
+      kept += keep ? 1 : 0;
     }
     const double share = static_cast<double>(kept) / static_cast<double>(pixels_.size());
     if (kept < pixels_.size()) factorise();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "services/target-locator/epipolar_rows.hpp"
+#include "services/target-locator/plane_kernel.hpp"
 
 namespace markservo::target_locator {
 namespace {
@@ -41,10 +41,14 @@ PlaneTemplate make_template(const StereoPatch& patch, const Mask& mask, int limi
   double sum_y = 0.0;
   double sum_squares = 0.0;
   double sum_grey = 0.0;
-  for (auto* values : {&t.column, &t.grey, &t.gradient_u, &t.gradient_v, &t.slope_u, &t.along_u, &t.along_v}) {
-    values->resize(count);
+  t.count = count;
+  const std::size_t padded = (count + PlaneTemplate::kLanes - 1) / PlaneTemplate::kLanes * PlaneTemplate::kLanes;
+  for (auto* values :
+       {&t.column, &t.grey, &t.gradient_u, &t.gradient_v, &t.slope_u, &t.along_u, &t.along_v, &t.weight}) {
+    values->resize(padded);
   }
-  t.used.assign(count, 1);
+  t.row.resize(padded);
+  std::fill_n(t.weight.begin(), count, 1.0F);
   const auto inverse_scale = static_cast<float>(1.0 / frame.scale);
   for (std::size_t i = 0; i < count; ++i) {
     const int x = columns[i];
@@ -88,11 +92,8 @@ void warp(const StereoPatch& patch, const PlaneTemplate& pixels, const Disparity
   const auto per_column = static_cast<float>(patch.left_frame.scale / right.scale);
   const auto per_u = static_cast<float>(-plane.along_u * pixels.extent / right.scale);
   const auto per_v = static_cast<float>(-plane.along_v * pixels.extent / right.scale);
-  warped.resize(pixels.size());
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const float x = base + per_column * pixels.column[i] + per_u * pixels.along_u[i] + per_v * pixels.along_v[i];
-    warped[i] = sample_cubic(patch.right_rows.row(pixels.row[i]), patch.right_rows.width, x);
-  }
+  warped.resize(pixels.padded());
+  sample_rows(patch.right_rows.row(0), patch.right_rows.width, pixels, {base, per_column, per_u, per_v}, warped.data());
 }
 
 double correlation_of(const PlaneTemplate& t, const std::vector<float>& warped) {
@@ -103,7 +104,7 @@ double correlation_of(const PlaneTemplate& t, const std::vector<float>& warped) 
   double bb = 0.0;
   double ab = 0.0;
   for (std::size_t i = 0; i < t.size(); ++i) {
-    if (t.used[i] == 0) continue;
+    if (t.weight[i] == 0.0F) continue;
     const auto l = static_cast<double>(t.grey[i]);
     const auto r = static_cast<double>(warped[i]);
     n += 1.0;
