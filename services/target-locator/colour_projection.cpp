@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "services/target-locator/pixel_kernel.hpp"
+
 namespace markservo::target_locator {
 namespace {
 
@@ -13,46 +15,20 @@ constexpr int kEdgeMargin = 2;       // patch px on either side of the outline t
 constexpr int kRingReach = 5;        // patch px, how far the ring of surroundings reaches
 constexpr float kSameColour = 6.0F;  // grey levels between mark and ring below which no outline can be measured
 
-// Sums of one class of pixels. 32-bit sums per row keep the inner loop cheap; int64 totals are exact.
-struct ColourSums {
-  std::int64_t count = 0;
-  std::int64_t first[3] = {0, 0, 0};
-  std::int64_t second[6] = {0, 0, 0, 0, 0, 0};  // bb, bg, br, gg, gr, rr
+Eigen::Vector3d mean_of(const ColourSums& sums) {
+  const double n = static_cast<double>(std::max<std::int64_t>(sums.count, 1));
+  return Eigen::Vector3d(static_cast<double>(sums.first[0]), static_cast<double>(sums.first[1]),
+                         static_cast<double>(sums.first[2])) /
+         n;
+}
 
-  void add(const std::uint8_t* bgr) {
-    const std::int64_t b = bgr[0];
-    const std::int64_t g = bgr[1];
-    const std::int64_t r = bgr[2];
-    ++count;
-    first[0] += b;
-    first[1] += g;
-    first[2] += r;
-    second[0] += b * b;
-    second[1] += b * g;
-    second[2] += b * r;
-    second[3] += g * g;
-    second[4] += g * r;
-    second[5] += r * r;
-  }
-  Eigen::Vector3d mean() const {
-    const double n = static_cast<double>(std::max<std::int64_t>(count, 1));
-    return Eigen::Vector3d(static_cast<double>(first[0]), static_cast<double>(first[1]),
-                           static_cast<double>(first[2])) /
-           n;
-  }
-  Eigen::Matrix3d covariance() const {
-    const double n = static_cast<double>(std::max<std::int64_t>(count, 1));
-    Eigen::Matrix3d moments;
-    moments << static_cast<double>(second[0]), static_cast<double>(second[1]), static_cast<double>(second[2]),
-        static_cast<double>(second[1]), static_cast<double>(second[3]), static_cast<double>(second[4]),
-        static_cast<double>(second[2]), static_cast<double>(second[4]), static_cast<double>(second[5]);
-    const Eigen::Vector3d m = mean();
-    return moments / n - m * m.transpose();
-  }
-};
-
-const std::uint8_t* pixel(const Patch& patch, int x, int y) {
-  return patch.bgr + 3 * (static_cast<std::ptrdiff_t>(y) * patch.width + x);
+Eigen::Matrix3d covariance_of(const ColourSums& sums) {
+  const double n = static_cast<double>(std::max<std::int64_t>(sums.count, 1));
+  const auto second = [&sums](std::size_t i) { return static_cast<double>(sums.second[i]); };
+  Eigen::Matrix3d moments;
+  moments << second(0), second(1), second(2), second(1), second(3), second(4), second(2), second(4), second(5);
+  const Eigen::Vector3d m = mean_of(sums);
+  return moments / n - m * m.transpose();
 }
 
 // Square erosion (keep_minimum) or dilation by `pixels`, separable; pixels beyond the border count as 0.
@@ -113,26 +89,13 @@ Mask unpack_mask(const Patch& patch) {
 
 PlaneImage project_colours(const Patch& patch, const Eigen::Vector3f& weights) {
   PlaneImage plane(patch.width, patch.height);
-  const std::size_t count = plane.data.size();
-  const float wb = weights[0];
-  const float wg = weights[1];
-  const float wr = weights[2];
-  const std::uint8_t* in = patch.bgr;
-  for (std::size_t i = 0; i < count; ++i, in += 3) {
-    plane.data[i] = wb * static_cast<float>(in[0]) + wg * static_cast<float>(in[1]) + wr * static_cast<float>(in[2]);
-  }
+  project_pixels(patch.bgr, plane.data.size(), {weights[0], weights[1], weights[2]}, plane.data.data());
   return plane;
 }
 
 Eigen::Vector3f texture_axis(const Patch& patch, const Mask& mask) {
-  ColourSums sums;
-  for (int y = 0; y < patch.height; ++y) {
-    const unsigned char* inside = mask.row(y);
-    for (int x = 0; x < patch.width; ++x) {
-      if (inside[x] != 0) sums.add(pixel(patch, x, y));
-    }
-  }
-  const Eigen::Matrix3d covariance = sums.covariance();
+  const ColourSums sums = sum_colours(patch.bgr, mask.data.data(), mask.data.size());
+  const Eigen::Matrix3d covariance = covariance_of(sums);
   if (sums.count < 2 || !(covariance.trace() > 1e-6)) return kGreyAxis.normalized();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance);
@@ -145,33 +108,24 @@ Eigen::Vector3f texture_axis(const Patch& patch, const Mask& mask) {
 Contrast mark_contrast(const Patch& patch, const Mask& mask) {
   const Mask inner = erode(mask, kEdgeMargin);
   const Mask near = morph(mask, kEdgeMargin, false);
-  const Mask far = morph(mask, kRingReach, false);
-  ColourSums inside;
-  ColourSums outside;
-  for (int y = 0; y < patch.height; ++y) {
-    const unsigned char* in = inner.row(y);
-    const unsigned char* skip = near.row(y);
-    const unsigned char* ring = far.row(y);
-    for (int x = 0; x < patch.width; ++x) {
-      if (in[x] != 0) {
-        inside.add(pixel(patch, x, y));
-      } else if (ring[x] != 0 && skip[x] == 0) {
-        outside.add(pixel(patch, x, y));
-      }
-    }
+  Mask ring = morph(mask, kRingReach, false);
+  for (std::size_t i = 0; i < ring.data.size(); ++i) {
+    ring.data[i] = static_cast<unsigned char>(ring.data[i] & (near.data[i] ^ 1U));
   }
+  const ColourSums inside = sum_colours(patch.bgr, inner.data.data(), inner.data.size());
+  const ColourSums outside = sum_colours(patch.bgr, ring.data.data(), ring.data.size());
   Contrast contrast;
   if (inside.count < 9 || outside.count < 9) return contrast;
-  const Eigen::Vector3d gap = inside.mean() - outside.mean();
+  const Eigen::Vector3d gap = mean_of(inside) - mean_of(outside);
   if (gap.norm() < static_cast<double>(kSameColour)) return contrast;
   // The ridge keeps noise-free pictures solvable and is the variance of rounding to whole grey levels, and then some.
-  const Eigen::Matrix3d within = inside.covariance() + outside.covariance() + 2.0 * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d within = covariance_of(inside) + covariance_of(outside) + 2.0 * Eigen::Matrix3d::Identity();
   Eigen::Vector3d weights = within.inverse() * gap;
   const double span = weights.dot(gap);
   if (!(span > 0.0) || !weights.allFinite()) return contrast;
   weights /= span;
   contrast.weights = weights.cast<float>();
-  contrast.offset = static_cast<float>(-weights.dot(outside.mean()));
+  contrast.offset = static_cast<float>(-weights.dot(mean_of(outside)));
   contrast.valid = true;
   return contrast;
 }

@@ -44,6 +44,9 @@ std::vector<Feature> find_features(const CornerMeasures& measures, const Mask& m
       if (inside[x] == 0) continue;
       ++area;
       if (!(weight[x] >= parameters.min_weight) || !(roundness[x] >= parameters.min_roundness)) continue;
+      // Its own row already rules most of them out.
+      if (x > 0 && weight[x - 1] >= weight[x]) continue;
+      if (x + 1 < mask.width && weight[x + 1] > weight[x]) continue;
       if (is_local_maximum(measures.weight, x, y)) candidates.push_back({x, y, weight[x]});
     }
   }
