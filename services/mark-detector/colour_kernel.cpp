@@ -51,9 +51,9 @@ HWY_INLINE uint64_t extract(const uint8_t* bgr, int least_chroma, int least_satu
   const int n = static_cast<int>(hn::Lanes(d));
   uint64_t any = 0;
   for (int u = 0; u < kBlock; u += n) {
-    auto b8 = hn::Undefined(bytes);
-    auto g8 = hn::Undefined(bytes);
-    auto r8 = hn::Undefined(bytes);
+    auto b8 = hn::Zero(bytes);
+    auto g8 = hn::Zero(bytes);
+    auto r8 = hn::Zero(bytes);
     hn::LoadInterleaved3(bytes, bgr + 3 * u, b8, g8, r8);
     const auto value = hn::PromoteTo(d, hn::Max(b8, hn::Max(g8, r8)));
     const auto chroma = hn::Sub(value, hn::PromoteTo(d, hn::Min(b8, hn::Min(g8, r8))));
@@ -183,9 +183,9 @@ void CountLumaRow(const uint8_t* bgr, int width, LumaCounts& counts) {
   int u = 0;
   for (; u + kBlock <= width; u += kBlock) {
     for (int i = 0; i < kBlock; i += n) {
-      auto b8 = hn::Undefined(bytes);
-      auto g8 = hn::Undefined(bytes);
-      auto r8 = hn::Undefined(bytes);
+      auto b8 = hn::Zero(bytes);
+      auto g8 = hn::Zero(bytes);
+      auto r8 = hn::Zero(bytes);
       hn::LoadInterleaved3(bytes, bgr + 3 * (u + i), b8, g8, r8);
       auto sum = hn::Add(hn::Mul(hn::PromoteTo(d, b8), hn::Set(d, 1868)), hn::Set(d, 1 << 13));
       sum = hn::Add(hn::Mul(hn::PromoteTo(d, g8), hn::Set(d, 9617)), sum);

@@ -26,9 +26,9 @@ void AddBlock(const uint8_t* bgr, uint64_t mark, uint64_t rest, int sign, int16_
   for (int u = 0; u < kBlock; u += n) {
     const uint64_t mark_bits = mark >> u;
     const uint64_t rest_bits = rest >> u;
-    auto b8 = hn::Undefined(bytes);
-    auto g8 = hn::Undefined(bytes);
-    auto r8 = hn::Undefined(bytes);
+    auto b8 = hn::Zero(bytes);
+    auto g8 = hn::Zero(bytes);
+    auto r8 = hn::Zero(bytes);
     hn::LoadInterleaved3(bytes, bgr + 3 * u, b8, g8, r8);
     const auto one = hn::Set(d, 1);
     const auto b = hn::PromoteTo(d, b8);

@@ -22,9 +22,9 @@ void ProjectPixels(const std::uint8_t* bgr, std::size_t count, const std::array<
   const hn::RebindToFloat<Ints> d;
   const std::size_t n = hn::Lanes(di);
   const auto project = [&](std::size_t i) {
-    auto b = hn::Undefined(bytes);
-    auto g = hn::Undefined(bytes);
-    auto r = hn::Undefined(bytes);
+    auto b = hn::Zero(bytes);
+    auto g = hn::Zero(bytes);
+    auto r = hn::Zero(bytes);
     hn::LoadInterleaved3(bytes, bgr + 3 * i, b, g, r);
     auto sum = hn::Mul(hn::Set(d, weights[0]), hn::ConvertTo(d, hn::PromoteTo(di, b)));
     sum = hn::MulAdd(hn::Set(d, weights[1]), hn::ConvertTo(d, hn::PromoteTo(di, g)), sum);
@@ -54,9 +54,9 @@ ColourSums SumColours(const std::uint8_t* bgr, const std::uint8_t* chosen, std::
     for (auto& sum : sums) sum = hn::Zero(d);
     const std::size_t end = std::min(count - n, i + (kSteps - 1) * n);
     for (; i <= end; i += n) {
-      auto b8 = hn::Undefined(bytes);
-      auto g8 = hn::Undefined(bytes);
-      auto r8 = hn::Undefined(bytes);
+      auto b8 = hn::Zero(bytes);
+      auto g8 = hn::Zero(bytes);
+      auto r8 = hn::Zero(bytes);
       hn::LoadInterleaved3(bytes, bgr + 3 * i, b8, g8, r8);
       const auto one = hn::PromoteTo(d, hn::LoadU(bytes, chosen + i));
       const auto b = hn::Mul(hn::PromoteTo(d, b8), one);
