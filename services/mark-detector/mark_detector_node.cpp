@@ -80,18 +80,18 @@ void MarkDetectorNode::add_options(CLI::App& app) {
                  "Look for this instead of the robot's marks: NAME=hue_min:hue_max:sat_min:sat_max:val_min:val_max"
                  "[:free], hue in degrees (wraps), saturation and value 0 to 1");
   app.add_option("--min-area", parameters_.min_area, "Smallest blob that can be a mark, px")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, 1'000'000'000))
       ->capture_default_str();
   app.add_option("--chroma-min", parameters_.chroma_min, "Least difference of the channels that tells a colour, levels")
       ->check(CLI::Range(0, 255))
       ->capture_default_str();
   app.add_option("--row-tolerance", parameters_.selection.row_tolerance,
                  "How far a mark's rows may differ between the images, px")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--memory-frames", parameters_.memory_frames,
                  "Frames for which the place of an unseen mark is remembered")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, 1'000'000'000))
       ->capture_default_str();
   app.add_option("--patch-limit", parameters_.patch.limit, "Largest patch, px a side; larger marks are averaged down")
       ->check(CLI::Range(1, 16384))
@@ -99,7 +99,7 @@ void MarkDetectorNode::add_options(CLI::App& app) {
   app.add_option(
          "--patch-budget", patch_budget_,
          "All patches of a pair together, bytes; 0: 131072, growing with the square of a --patch-limit above 128")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, 1'000'000'000))
       ->capture_default_str();
 
   const char* const picture = "Picture without a bus";
