@@ -54,7 +54,7 @@ HWY_INLINE uint64_t extract(const uint8_t* bgr, int least_chroma, int least_satu
     auto b8 = hn::Zero(bytes);
     auto g8 = hn::Zero(bytes);
     auto r8 = hn::Zero(bytes);
-    hn::LoadInterleaved3(bytes, bgr + 3 * u, b8, g8, r8);
+    hn::LoadInterleaved3(bytes, bgr + std::ptrdiff_t{3} * u, b8, g8, r8);
     const auto value = hn::PromoteTo(d, hn::Max(b8, hn::Max(g8, r8)));
     const auto chroma = hn::Sub(value, hn::PromoteTo(d, hn::Min(b8, hn::Min(g8, r8))));
     const auto g = hn::PromoteTo(d, g8);
@@ -164,7 +164,7 @@ void ClassifyRow(const uint8_t* bgr, int width, const FrameRule* rules, int num_
         bits = exact(rules[k], features, doubt) & within;
         for (doubt &= within; doubt != 0; doubt &= doubt - 1) {
           const int u = __builtin_ctzll(doubt);
-          const uint8_t* p = pixels + 3 * u;
+          const uint8_t* p = pixels + std::ptrdiff_t{3} * u;
           const int shifted =
               std::clamp(features.value[u] + shift[static_cast<std::size_t>(luma(p[0], p[1], p[2]))], 0, 255);
           if (shifted < rules[k].rule.value_min || shifted > rules[k].rule.value_max) bits &= ~(uint64_t{1} << u);
@@ -186,7 +186,7 @@ void CountLumaRow(const uint8_t* bgr, int width, LumaCounts& counts) {
       auto b8 = hn::Zero(bytes);
       auto g8 = hn::Zero(bytes);
       auto r8 = hn::Zero(bytes);
-      hn::LoadInterleaved3(bytes, bgr + 3 * (u + i), b8, g8, r8);
+      hn::LoadInterleaved3(bytes, bgr + std::ptrdiff_t{3} * (u + i), b8, g8, r8);
       auto sum = hn::Add(hn::Mul(hn::PromoteTo(d, b8), hn::Set(d, 1868)), hn::Set(d, 1 << 13));
       sum = hn::Add(hn::Mul(hn::PromoteTo(d, g8), hn::Set(d, 9617)), sum);
       sum = hn::Add(hn::Mul(hn::PromoteTo(d, r8), hn::Set(d, 4899)), sum);

@@ -29,7 +29,7 @@ void AddBlock(const uint8_t* bgr, uint64_t mark, uint64_t rest, int sign, int16_
     auto b8 = hn::Zero(bytes);
     auto g8 = hn::Zero(bytes);
     auto r8 = hn::Zero(bytes);
-    hn::LoadInterleaved3(bytes, bgr + 3 * u, b8, g8, r8);
+    hn::LoadInterleaved3(bytes, bgr + std::ptrdiff_t{3} * u, b8, g8, r8);
     const auto one = hn::Set(d, 1);
     const auto b = hn::PromoteTo(d, b8);
     const auto g = hn::PromoteTo(d, g8);
