@@ -21,7 +21,7 @@ bool window_inside(const PlaneImage& image, int column, int row, int half) {
 
 WeightedWindow make_window(const PlaneImage& image, int column, int row, int half, double colour_sigma) {
   WeightedWindow window;
-  const auto side = static_cast<std::size_t>(2 * half + 1);
+  const std::size_t side = 2 * static_cast<std::size_t>(half) + 1;
   window.weight.reserve(side * side);
   window.weighted_grey.reserve(side * side);
   const float middle = image.at(column, row);

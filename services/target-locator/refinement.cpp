@@ -38,7 +38,7 @@ Window make_window(const StereoPatch& patch, const Feature& feature, int half, c
   const int y0 = std::max(0, feature.row - half);
   const int y1 = std::min(left.height - 1, feature.row + half);
   const auto scale = static_cast<float>(patch.left_frame.scale);
-  const auto side = static_cast<std::size_t>(2 * half + 1);
+  const std::size_t side = 2 * static_cast<std::size_t>(half) + 1;
   window.pixels.reserve(side * side);
   float sum = 0.0F;
   for (int y = y0; y <= y1; ++y) {

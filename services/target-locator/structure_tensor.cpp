@@ -70,7 +70,7 @@ CornerMeasures foerstner(const Gradients& gradients, float trace_floor) {
   if (w <= 0 || h <= 0) return measures;
   const auto size = static_cast<std::size_t>(w);
   // Beyond the border gradients are 0, so a padded line starts and ends with zeros.
-  std::vector<float> cc(size + std::size_t{2 * kRadius}, 0.0F);
+  std::vector<float> cc(size + std::size_t{2} * kRadius, 0.0F);
   std::vector<float> cr(cc);
   std::vector<float> rr(cc);
   const SmoothedRow zero{std::vector<float>(size), std::vector<float>(size), std::vector<float>(size)};
