@@ -107,8 +107,8 @@ std::string covariance_violation(const Covariance3& c, double most) {
   if (!all_finite({c.xx, c.xy, c.xz, c.yy, c.yz, c.zz})) return not_finite("covariance");
   for (const double variance : {c.xx, c.yy, c.zz}) {
     if (variance < 0.0 || variance > most) {
-      return wrong("covariance", variance,
-                   "not negative, and not so large that it says nothing, on the diagonal (m^2)");
+      const std::string allowed = "0 to " + std::to_string(static_cast<int>(most)) + " m^2 on the diagonal";
+      return wrong("covariance", variance, allowed.c_str());
     }
   }
   return {};

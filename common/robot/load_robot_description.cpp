@@ -119,7 +119,6 @@ MarkDescription load_mark(YamlSection section) {
 }
 
 std::vector<MarkDescription> load_marks(YamlSection& root) {
-  constexpr std::size_t kMaxMarks = 8;        // a byte of mask bits; TARGET_POSE fits one packet
   constexpr std::size_t kMaxNameLength = 32;  // likewise
   std::vector<MarkDescription> marks;
   std::set<std::string> names;

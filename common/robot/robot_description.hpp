@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +70,8 @@ struct GripDescription {
   double object_width = 0.0;                       // m, what the fingers enclose
   double spacing = 0.0;                            // m, from this object's middle to its neighbours'
 };
+
+inline constexpr std::size_t kMaxMarks = 8;  // a byte of mask bits; TARGET_POSE fits one packet
 
 struct MarkDescription {
   std::string name;

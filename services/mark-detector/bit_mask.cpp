@@ -62,24 +62,6 @@ void BitMask::set_run(int v, int begin, int end) {
   }
 }
 
-void BitMask::set_row(int v, const uint8_t* bytes) {
-  uint64_t* words = row(v);
-  for (int i = 0; i < words_per_row_; ++i) {
-    const int begin = i * kWordBits;
-    const int n = std::min(kWordBits, width_ - begin);
-    uint64_t word = 0;
-    int u = 0;
-    // Eight bytes of 0 or 1 become eight bits by one multiplication.
-    for (; u + 8 <= n; u += 8) {
-      uint64_t eight = 0;
-      std::memcpy(&eight, bytes + begin + u, sizeof eight);
-      word |= ((eight * 0x0102040810204080ULL) >> 56) << u;
-    }
-    for (; u < n; ++u) word |= static_cast<uint64_t>(bytes[begin + u]) << u;
-    words[i] = word;
-  }
-}
-
 bool BitMask::row_empty(int v) const {
   const uint64_t* words = row(v);
   uint64_t any = 0;

@@ -35,8 +35,6 @@ class BitMask {
   }
   // Sets the pixels [begin, end) of row v.
   void set_run(int v, int begin, int end);
-  // Sets row v from one byte a pixel, each 0 or 1.
-  void set_row(int v, const uint8_t* bytes);
 
   bool row_empty(int v) const;
   // First pixel at or after `u` in row v whose bit is `wanted`, or the width.

@@ -1,17 +1,13 @@
 #include "services/mark-detector/colour_classifier.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
-#include "services/mark-detector/colour_kernel.hpp"
-
 namespace markservo::mark_detector {
 namespace {
 
-constexpr std::size_t kMaxRules = 8;  // as many marks as a robot's description may have
 constexpr double kFullTurn_deg = 360.0;
 constexpr double kCoarse_deg = 0.5;      // twice what rounding to kCoarseScale can turn a ray by
 constexpr double kLeastWidth_deg = 0.1;  // below it the integer cone would degenerate to a line
@@ -37,19 +33,6 @@ Ray ray_of(double hue_deg, int scale) {
   const double g = channel(2.0);
   const double b = channel(4.0);
   return {scaled(r - g, scale), scaled(g - b, scale)};
-}
-
-inline unsigned matches(const ColourRule& rule, int16_t x, int16_t y, int16_t chroma, int16_t value, int16_t shifted) {
-  const unsigned after_min = rule.min_x * y - rule.min_y * x >= 0 ? 1U : 0U;
-  const unsigned before_max = x * rule.max_y - y * rule.max_x >= 0 ? 1U : 0U;
-  const unsigned both = after_min & before_max;
-  const unsigned either = after_min | before_max;
-  const unsigned hue = (rule.any_hue ? 1U : 0U) | (rule.wide ? either : both);
-  const int scaled_chroma = chroma * ColourRule::kSaturationScale;
-  const unsigned saturation = (scaled_chroma >= rule.saturation_min * value ? 1U : 0U) &
-                              (scaled_chroma <= rule.saturation_max * value ? 1U : 0U);
-  const unsigned brightness = (shifted >= rule.value_min ? 1U : 0U) & (shifted <= rule.value_max ? 1U : 0U);
-  return hue & saturation & brightness & (chroma >= rule.chroma_min ? 1U : 0U);
 }
 
 }  // namespace
@@ -93,23 +76,17 @@ ColourRule make_rule(const robot::ColourInterval& interval, int chroma_min) {
 }
 
 bool belongs(const ColourRule& rule, int b, int g, int r, int shift) {
-  const int high = std::max(b, std::max(g, r));
-  const int low = std::min(b, std::min(g, r));
-  const auto narrow = [](int number) { return static_cast<int16_t>(number); };
-  return matches(rule, narrow(r - g), narrow(g - b), narrow(high - low), narrow(high),
-                 narrow(std::clamp(high + shift, 0, 255))) != 0;
-}
-
-void classify(const ImageView& image, const LumaShift& shift, const std::vector<ColourRule>& rules,
-              std::vector<BitMask>& masks) {
-  masks.resize(rules.size());
-  for (BitMask& mask : masks) mask.resize(image.width, image.height);
-  const std::vector<FrameRule> prepared = frame_rules(rules, shift);
-  std::array<uint64_t*, kMaxRules> rows{};
-  for (int v = 0; v < image.height; ++v) {
-    for (std::size_t k = 0; k < rules.size(); ++k) rows.at(k) = masks[k].row(v);
-    classify_row(image.row(v), image.width, prepared, shift, rows.data());
-  }
+  const int x = r - g;
+  const int y = g - b;
+  const int value = std::max({b, g, r});
+  const int chroma = value - std::min({b, g, r});
+  const int shifted = std::clamp(value + shift, 0, 255);
+  const bool after_min = rule.min_x * y >= rule.min_y * x;
+  const bool before_max = rule.max_y * x >= rule.max_x * y;
+  const bool hue = rule.any_hue || (rule.wide ? after_min || before_max : after_min && before_max);
+  const int scaled_chroma = chroma * ColourRule::kSaturationScale;
+  return hue && scaled_chroma >= rule.saturation_min * value && scaled_chroma <= rule.saturation_max * value &&
+         shifted >= rule.value_min && shifted <= rule.value_max && chroma >= rule.chroma_min;
 }
 
 }  // namespace markservo::mark_detector

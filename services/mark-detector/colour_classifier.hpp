@@ -61,8 +61,4 @@ ColourRule make_rule(const robot::ColourInterval& interval, int chroma_min);
 // True if a pixel belongs; `shift` is its luma's.
 bool belongs(const ColourRule& rule, int b, int g, int r, int shift);
 
-// One mask per rule, of the image's size; 1 to 8 rules. `masks` keep their memory from call to call.
-void classify(const ImageView& image, const LumaShift& shift, const std::vector<ColourRule>& rules,
-              std::vector<BitMask>& masks);
-
 }  // namespace markservo::mark_detector

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "services/mark-detector/pixel_block.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "services/mark-detector/colour_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -15,7 +17,7 @@ namespace markservo::mark_detector::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kBlock = 64;  // pixels of one word
+constexpr int kBlock = BitMask::kWordBits;
 
 using Levels = hn::CappedTag<int16_t, kBlock>;
 using Wide = hn::CappedTag<int32_t, kBlock>;
@@ -146,15 +148,11 @@ void ClassifyRow(const uint8_t* bgr, int width, const FrameRule* rules, int num_
     least_saturation = std::min<int>(least_saturation, rules[k].rule.coarse_saturation_min);
   }
   Features features;
-  uint8_t rest[3 * kBlock];
+  PixelBlock rest;
   for (int begin = 0, w = 0; begin < width; begin += kBlock, ++w) {
     const uint8_t* pixels = bgr + 3 * static_cast<std::ptrdiff_t>(begin);
     const int count = std::min(kBlock, width - begin);
-    if (count < kBlock) {
-      std::memset(rest, 0, sizeof rest);
-      std::memcpy(rest, pixels, 3 * static_cast<std::size_t>(count));
-      pixels = rest;
-    }
+    if (count < kBlock) pixels = pad_block(pixels, count, rest);
     const uint64_t within = count == kBlock ? ~uint64_t{0} : (uint64_t{1} << count) - 1;
     const bool coloured = (extract(pixels, least_chroma, least_saturation, features) & within) != 0;
     for (int k = 0; k < num_rules; ++k) {
@@ -187,10 +185,10 @@ void CountLumaRow(const uint8_t* bgr, int width, LumaCounts& counts) {
       auto g8 = hn::Zero(bytes);
       auto r8 = hn::Zero(bytes);
       hn::LoadInterleaved3(bytes, bgr + std::ptrdiff_t{3} * (u + i), b8, g8, r8);
-      auto sum = hn::Add(hn::Mul(hn::PromoteTo(d, b8), hn::Set(d, 1868)), hn::Set(d, 1 << 13));
-      sum = hn::Add(hn::Mul(hn::PromoteTo(d, g8), hn::Set(d, 9617)), sum);
-      sum = hn::Add(hn::Mul(hn::PromoteTo(d, r8), hn::Set(d, 4899)), sum);
-      hn::Store(hn::DemoteTo(bytes, hn::ShiftRight<14>(sum)), bytes, lumas + i);
+      auto sum = hn::Add(hn::Mul(hn::PromoteTo(d, b8), hn::Set(d, kLumaB)), hn::Set(d, 1 << (kLumaBits - 1)));
+      sum = hn::Add(hn::Mul(hn::PromoteTo(d, g8), hn::Set(d, kLumaG)), sum);
+      sum = hn::Add(hn::Mul(hn::PromoteTo(d, r8), hn::Set(d, kLumaR)), sum);
+      hn::Store(hn::DemoteTo(bytes, hn::ShiftRight<kLumaBits>(sum)), bytes, lumas + i);
     }
     for (int i = 0; i < kBlock; i += 4) {
       for (std::size_t k = 0; k < 4; ++k) ++counts[k][lumas[static_cast<std::size_t>(i) + k]];
@@ -233,6 +231,17 @@ std::vector<FrameRule> frame_rules(const std::vector<ColourRule>& rules, const L
 void classify_row(const uint8_t* bgr, int width, const std::vector<FrameRule>& rules, const LumaShift& shift,
                   uint64_t* const* words) {
   HWY_DYNAMIC_DISPATCH(ClassifyRow)(bgr, width, rules.data(), static_cast<int>(rules.size()), shift, words);
+}
+
+void classify(const ImageView& image, const LumaShift& shift, const std::vector<FrameRule>& rules,
+              std::vector<BitMask>& masks) {
+  masks.resize(rules.size());
+  for (BitMask& mask : masks) mask.resize(image.width, image.height);
+  std::array<uint64_t*, robot::kMaxMarks> rows{};
+  for (int v = 0; v < image.height; ++v) {
+    for (std::size_t k = 0; k < rules.size(); ++k) rows.at(k) = masks[k].row(v);
+    classify_row(image.row(v), image.width, rules, shift, rows.data());
+  }
 }
 
 void count_luma_row(const uint8_t* bgr, int width, LumaCounts& counts) {

@@ -28,6 +28,10 @@ std::vector<FrameRule> frame_rules(const std::vector<ColourRule>& rules, const L
 void classify_row(const uint8_t* bgr, int width, const std::vector<FrameRule>& rules, const LumaShift& shift,
                   uint64_t* const* words);
 
+// One mask per rule, of the image's size. `masks` keep their memory from call to call.
+void classify(const ImageView& image, const LumaShift& shift, const std::vector<FrameRule>& rules,
+              std::vector<BitMask>& masks);
+
 // Counts the lumas of a row of `width` pixels. Four tables, to be added up: neighbours often have the same luma, and so
 // their increments do not wait for each other.
 using LumaCounts = std::array<std::array<uint32_t, 256>, 4>;

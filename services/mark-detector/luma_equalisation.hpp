@@ -9,9 +9,15 @@
 
 namespace markservo::mark_detector {
 
-// Luma of a pixel, 0..255: ITU-R BT.601, rounded as OpenCV's BGR to YCrCb conversion rounds it.
+// ITU-R BT.601 as OpenCV's BGR to YCrCb conversion rounds it: shares of B, G and R, of 2^kLumaBits in all.
+inline constexpr int kLumaBits = 14;
+inline constexpr int kLumaB = 1868;
+inline constexpr int kLumaG = 9617;
+inline constexpr int kLumaR = 4899;
+
+// Luma of a pixel, 0..255.
 inline int luma(int b, int g, int r) {
-  return (1868 * b + 9617 * g + 4899 * r + (1 << 13)) >> 14;
+  return (kLumaB * b + kLumaG * g + kLumaR * r + (1 << (kLumaBits - 1))) >> kLumaBits;
 }
 
 using LumaHistogram = std::array<int64_t, 256>;

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "services/mark-detector/bit_mask.hpp"
+#include "services/mark-detector/colour_kernel.hpp"
 #include "services/mark-detector/luma_equalisation.hpp"
+#include "services/mark-detector/outline_kernel.hpp"
 #include "services/mark-detector/separability.hpp"
 
 namespace markservo::mark_detector {
@@ -73,13 +75,15 @@ std::vector<std::size_t> by_importance(const std::vector<Finding>& findings, int
 
 MarkDetector::MarkDetector(std::vector<robot::MarkDescription> marks, const Parameters& parameters)
     : marks_(std::move(marks)), parameters_(parameters) {
-  check(!marks_.empty(), "no marks; allowed: 1 or more");
+  check(!marks_.empty() && marks_.size() <= robot::kMaxMarks,
+        std::to_string(marks_.size()) + " marks; allowed: 1 to " + std::to_string(robot::kMaxMarks));
+  check(parameters_.histogram_rows >= 1, "histogram_rows below 1");
   check(parameters_.min_area >= 1, "min_area below 1 px");
   check(parameters_.patch.limit >= 1, "patch limit below 1 px");
   check(parameters_.patch.margin >= 0, "patch margin below 0 px");
   check(parameters_.outline.band >= 1 && parameters_.outline.reach > 2 * parameters_.outline.band,
         "outline reach not above twice the band");
-  check(parameters_.outline.reach <= 60, "outline reach above 60 px");
+  check(2 * parameters_.outline.reach + 1 <= ColumnSums::kMaxRows, "outline reach above 63 px");
   rules_.reserve(marks_.size());
   for (const auto& mark : marks_) rules_.push_back(make_rule(mark.colour, parameters_.chroma_min));
 }
@@ -94,14 +98,14 @@ Output MarkDetector::step(const Input& input, State& state) const {
   if (parameters_.equalise) {
     // One table for both images, so that a mark is judged alike in both.
     LumaHistogram histogram{};
-    accumulate(input.left, histogram, parameters_.histogram_step);
-    if (!single) accumulate(input.right, histogram, parameters_.histogram_step);
+    const int step = std::max(1, input.left.height / parameters_.histogram_rows);
+    accumulate(input.left, histogram, step);
+    if (!single) accumulate(input.right, histogram, step);
     shift = against_darkness(equalising_shift(histogram));
   }
-  std::vector<BitMask> left_masks;
-  std::vector<BitMask> right_masks(rules_.size());
-  classify(input.left, shift, rules_, left_masks);
-  if (!single) classify(input.right, shift, rules_, right_masks);
+  const std::vector<FrameRule> rules = frame_rules(rules_, shift);
+  classify(input.left, shift, rules, state.left_masks);
+  if (!single) classify(input.right, shift, rules, state.right_masks);
 
   BlobParameters blobs;
   blobs.min_area = parameters_.min_area;
@@ -110,8 +114,8 @@ Output MarkDetector::step(const Input& input, State& state) const {
     Finding finding;
     finding.name = marks_[i].name;
     finding.role = marks_[i].role;
-    finding.left_blobs = find_blobs(majority3(left_masks[i]), blobs);
-    finding.right_blobs = find_blobs(majority3(right_masks[i]), blobs);
+    finding.left_blobs = find_blobs(majority3(state.left_masks[i]), blobs);
+    if (!single) finding.right_blobs = find_blobs(majority3(state.right_masks[i]), blobs);
     find_views(input, state, marks_[i], finding);
     output.marks.push_back(std::move(finding));
   }

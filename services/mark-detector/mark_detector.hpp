@@ -10,6 +10,7 @@
 
 #include "common/geometry/stereo_camera.hpp"
 #include "common/robot/robot_description.hpp"
+#include "services/mark-detector/bit_mask.hpp"
 #include "services/mark-detector/blobs.hpp"
 #include "services/mark-detector/colour_classifier.hpp"
 #include "services/mark-detector/image_view.hpp"
@@ -22,7 +23,7 @@ namespace markservo::mark_detector {
 
 struct Parameters {
   bool equalise = true;
-  int histogram_step = 8;      // every eighth row: the table is off by one level at most, for an eighth of the time
+  int histogram_rows = 60;     // looked at, spread over the image: of 480 every eighth, a level off at most
   int chroma_min = 14;         // levels; below it hue is noise (sigma 3 makes 5 on grey, 11 at the 99.9th percentile)
   int64_t min_area = 60;       // px; a mark of 8 x 8 px has no texture to match
   double hole_fraction = 0.1;  // of the blob's area: holes up to this are dirt, glare or print, and belong to the mark
@@ -62,13 +63,15 @@ struct Output {
   std::vector<Finding> marks;  // every configured mark, in their order
 };
 
-// Memory, only for choosing between blobs.
+// Memory, only for choosing between blobs; and room that is used again from frame to frame.
 struct State {
   struct Memory {
     LastSeen place;
     int age = 0;  // frames since
   };
   std::map<std::string, Memory> marks;
+  std::vector<BitMask> left_masks;
+  std::vector<BitMask> right_masks;
 };
 
 class MarkDetector {

@@ -127,8 +127,8 @@ void MarkDetectorNode::configure(const std::string& robot_file) {
       throw ConfigurationError("--mark '" + text + "': named twice; allowed: a name of its own for each mark");
     }
   }
-  constexpr std::size_t kMaxMarks = 8;  // as in a robot's description
-  if (marks.size() > kMaxMarks) throw ConfigurationError("--mark: given more than 8 times; allowed: 1 to 8 marks");
+  if (marks.size() > robot::kMaxMarks)
+    throw ConfigurationError("--mark: given more than 8 times; allowed: 1 to 8 marks");
   if (marks.empty()) marks = robot::load_robot_description(robot_file).marks;
   if (image_file_.empty()) {
     for (const auto& [option, value] : {std::pair{"--right", right_file_}, std::pair{"--annotate", annotated_file_},

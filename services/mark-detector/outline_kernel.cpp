@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
+
+#include "services/mark-detector/pixel_block.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "services/mark-detector/outline_kernel.cpp"
@@ -15,7 +16,7 @@ namespace markservo::mark_detector::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kBlock = 64;  // columns of one word
+constexpr int kBlock = BitMask::kWordBits;
 
 // One block of columns; `sums` are the planes, `stride` apart.
 void AddBlock(const uint8_t* bgr, uint64_t mark, uint64_t rest, int sign, int16_t* sums, std::size_t stride) {
@@ -59,7 +60,7 @@ HWY_EXPORT(AddBlock);
 
 namespace {
 
-constexpr int kBlock = 64;
+constexpr int kBlock = BitMask::kWordBits;
 
 std::size_t padded(int width) {
   return static_cast<std::size_t>((width + kBlock - 1) / kBlock) * kBlock;
@@ -74,12 +75,8 @@ void ColumnSums::add(const uint8_t* bgr, const uint64_t* mark, const uint64_t* r
   for (int u = 0; u < width_; u += kBlock) {
     const uint8_t* pixels = bgr + 3 * static_cast<std::ptrdiff_t>(u);
     const int count = std::min(kBlock, width_ - u);
-    uint8_t padded_pixels[3 * kBlock];
-    if (count < kBlock) {
-      std::memset(padded_pixels, 0, sizeof padded_pixels);
-      std::memcpy(padded_pixels, pixels, 3 * static_cast<std::size_t>(count));
-      pixels = padded_pixels;
-    }
+    PixelBlock rest_of_row;
+    if (count < kBlock) pixels = pad_block(pixels, count, rest_of_row);
     block(pixels, mark[u / kBlock], rest[u / kBlock], sign, sums_.data() + u, stride_);
   }
 }

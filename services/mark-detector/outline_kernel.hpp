@@ -8,10 +8,12 @@
 namespace markservo::mark_detector {
 
 // For each column: how many pixels are surely the mark's and the sums of their blue, green and red; then the same of
-// those that surely are not. 16 bits hold 128 rows.
+// those that surely are not.
 class ColumnSums {
  public:
   enum Plane { kMarkCount, kMarkB, kMarkG, kMarkR, kRestCount, kRestB, kRestG, kRestR, kPlanes };
+
+  static constexpr int kMaxRows = 128;  // at a time: their sums fit 16 bits
 
   // All zero. `width`: columns.
   explicit ColumnSums(int width);

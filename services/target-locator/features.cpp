@@ -15,17 +15,17 @@ bool stronger(const Feature& a, const Feature& b) {
 }
 
 bool is_local_maximum(const PlaneImage& weight, int x, int y) {
+  constexpr int kAround[][2] = {{-1, 0}, {1, 0},  {-1, -1}, {0, -1},
+                                {1, -1}, {-1, 1}, {0, 1},   {1, 1}};  // near in memory first
   const float value = weight.at(x, y);
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      const int nx = x + dx;
-      const int ny = y + dy;
-      if ((dx == 0 && dy == 0) || nx < 0 || ny < 0 || nx >= weight.width || ny >= weight.height) continue;
-      const float other = weight.at(nx, ny);
-      // On a plateau the first pixel in reading order stands for it.
-      const bool before = dy < 0 || (dy == 0 && dx < 0);
-      if (other > value || (before && other == value)) return false;
-    }
+  for (const auto& [dx, dy] : kAround) {
+    const int nx = x + dx;
+    const int ny = y + dy;
+    if (nx < 0 || ny < 0 || nx >= weight.width || ny >= weight.height) continue;
+    const float other = weight.at(nx, ny);
+    // On a plateau the first pixel in reading order stands for it.
+    const bool before = dy < 0 || (dy == 0 && dx < 0);
+    if (other > value || (before && other == value)) return false;
   }
   return true;
 }
@@ -44,9 +44,6 @@ std::vector<Feature> find_features(const CornerMeasures& measures, const Mask& m
       if (inside[x] == 0) continue;
       ++area;
       if (!(weight[x] >= parameters.min_weight) || !(roundness[x] >= parameters.min_roundness)) continue;
-      // Its own row already rules most of them out.
-      if (x > 0 && weight[x - 1] >= weight[x]) continue;
-      if (x + 1 < mask.width && weight[x + 1] > weight[x]) continue;
       if (is_local_maximum(measures.weight, x, y)) candidates.push_back({x, y, weight[x]});
     }
   }

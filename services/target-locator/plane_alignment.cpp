@@ -13,9 +13,8 @@ namespace {
 
 // Parameters of right(u - disparity) = gain left + offset + rising d left / dv: disparity at the centre, along u, along
 // v (both per half extent of the mark), gain, offset, and how much higher the right view lies than the rows say.
-constexpr int kNumParameters = kPlaneParameters;
-using Vector6 = Eigen::Matrix<double, kNumParameters, 1>;
-using Matrix6 = Eigen::Matrix<double, kNumParameters, kNumParameters>;
+using Vector6 = Eigen::Matrix<double, kPlaneParameters, 1>;
+using Matrix6 = Eigen::Matrix<double, kPlaneParameters, kPlaneParameters>;
 
 struct NormalMatrices {
   Matrix6 newton = Matrix6::Zero();       // derivative of the normal equations
@@ -26,9 +25,9 @@ struct NormalMatrices {
 NormalMatrices normal_matrices(const PlaneTemplate& t) {
   const DerivativeSums derivatives = sum_derivatives(t);
   NormalMatrices sums;
-  for (int row = 0; row < kNumParameters; ++row) {
+  for (int row = 0; row < kPlaneParameters; ++row) {
     const auto r = static_cast<std::size_t>(row);
-    for (int column = 0; column < kNumParameters; ++column) {
+    for (int column = 0; column < kPlaneParameters; ++column) {
       sums.information(row, column) = derivatives.information[r][static_cast<std::size_t>(column)];
       sums.newton(row, column) =
           column < 3 ? derivatives.cross[r][static_cast<std::size_t>(column)] : sums.information(row, column);
@@ -115,7 +114,7 @@ class Fit {
 
   std::optional<Matrix6> covariance(double noise_correlation) {
     evaluate();
-    const double variance = noise_correlation * sums_.sum_of_squares / std::max(1.0, normal_.count - kNumParameters);
+    const double variance = noise_correlation * sums_.sum_of_squares / std::max(1.0, normal_.count - kPlaneParameters);
     const Matrix6 inverse = solver_.inverse();
     const Matrix6 covariance = variance * inverse * normal_.information * inverse.transpose();
     if (!covariance.allFinite()) return std::nullopt;
@@ -125,7 +124,7 @@ class Fit {
  private:
   void factorise() {
     normal_ = normal_matrices(pixels_);
-    solvable_ = normal_.count >= 3.0 * kNumParameters;
+    solvable_ = normal_.count >= 3.0 * kPlaneParameters;
     solver_.compute(normal_.newton);
   }
   void evaluate() {

@@ -4,7 +4,6 @@
 // depend on the processor's instruction set.
 
 #include <array>
-#include <vector>
 
 #include "services/target-locator/plane_template.hpp"
 

@@ -201,17 +201,17 @@ bool fit_line(const std::vector<EdgePoint>& points, std::size_t wanted, double t
       size[i] = std::abs(residual[i]);
       if (pass == 0 || std::abs(before) <= tolerance) squares += residual[i] * residual[i];
     }
-    if (pass + 1 == kPasses || good == points.size()) {
+    const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
+    std::nth_element(size.begin(), middle, size.end());
+    const double next = std::max(tolerance_floor, 3.0 * 1.4826 * *middle);
+    const bool all_agree = good == points.size() && *std::max_element(size.begin(), size.end()) <= next;
+    if (all_agree || pass + 1 == kPasses) {
       const double variance = points_per_independent_one(residual, tolerance) * squares / std::max(1.0, n - 2.0);
       side.rms = std::sqrt(squares / n);
       side.covariance << stt, -st, -st, n;
       side.covariance *= variance / determinant;
+      break;
     }
-    const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
-    std::nth_element(size.begin(), middle, size.end());
-    const double next = std::max(tolerance_floor, 3.0 * 1.4826 * *middle);
-    // A fit to all points that leaves none of them out is the last.
-    if (good == points.size() && *std::max_element(size.begin(), size.end()) <= next) break;
     tolerance = next;
   }
   return static_cast<double>(good) >= parameters.min_good_share * static_cast<double>(wanted);

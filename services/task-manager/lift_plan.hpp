@@ -11,7 +11,8 @@ namespace markservo::task_manager {
 // reach straight up, the way bends towards the robot, at most bend_max. A hand that comes from the side turns the
 // object with it once it hangs: the way gives way to the other side, so that the object's middle stays between its
 // neighbours. The gripper stays closed at `opening` (m).
-PosturePath plan_lift(const robot::ArmDescription& arm, const Parameters& parameters, const robot::JointVector& start,
+PosturePath plan_lift(const robot::ArmDescription& arm, const Parameters& parameters,
+                      const robot::GripDescription& grip, const robot::JointVector& start,
                       const Eigen::Vector3d& p_CG_place, double height, double opening);
 
 // From posture `start` down to `p_CG_place` (m), then the hand opens and goes back to `p_CG_back` (m) on straight

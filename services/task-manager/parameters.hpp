@@ -54,12 +54,11 @@ struct LiftParameters {
   double check_height_min = 0.006;  // where the view allows less
   double height = 0.030;            // above its place
   double bend_max = 0.03;           // back towards the robot, where the arm does not reach straight up
-  double object_middle = 0.045;  // behind the grip point: half the object's depth less the grip's way behind its mark
-  double free_height = 0.004;    // above its place, from where the object turns with the hand
-  int frames = 5;                // averaged before and after
-  double marks_timeout = 2.0;    // for those frames
-  double rise_share = 0.33;      // of the rise that kinematics predicts: deadbands eat half of the lowest lift
-  double follow_share = 0.4;     // of the lift: the largest error of the mark's way that counts as coming along
+  double free_height = 0.004;       // above its place, from where the object turns with the hand
+  int frames = 5;                   // averaged before and after
+  double marks_timeout = 2.0;       // for those frames
+  double rise_share = 0.33;         // of the rise that kinematics predicts: deadbands eat half of the lowest lift
+  double follow_share = 0.4;        // of the lift: the largest error of the mark's way that counts as coming along
 };
 
 struct CarryParameters {

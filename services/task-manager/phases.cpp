@@ -94,7 +94,7 @@ void ProcedureStep::decide() {
     // All that follows must be possible before anything moves.
     const Eigen::Vector3d p_CG = s_.p_CT + grip_of.p_TG;
     const auto q_grip = robot::inverse_kinematics(arm(), p_CG, 0.0).q;
-    const PosturePath up = plan_lift(arm(), p_, q_grip, p_CG, p_.lift.height, closed_opening());
+    const PosturePath up = plan_lift(arm(), p_, grip_of, q_grip, p_CG, p_.lift.height, closed_opening());
     if (!up.reachable()) {
       trouble = std::string("unreachable: it could not be lifted: ") + robot::describe(up.status());
     } else if (s_.task.carry) {
@@ -180,7 +180,7 @@ void ProcedureStep::grip() {
   if (average_both_marks()) {
     s_.before = {s_.target_mean.mean(), s_.hand_mean.mean(), in_.arm->q};
     const Eigen::Vector3d p_CG = robot::grip_point(arm(), s_.before.q);
-    const PosturePath up = plan_lift(arm(), p_, s_.before.q, p_CG, s_.check_height, closed_opening());
+    const PosturePath up = plan_lift(arm(), p_, *target().grip, s_.before.q, p_CG, s_.check_height, closed_opening());
     if (!up.reachable()) return grip_failed(std::string("it cannot be lifted: ") + robot::describe(up.status()));
     enter(Phase::kLift, "lifting a little");
     play(up.moves());
@@ -202,8 +202,8 @@ void ProcedureStep::verify() {
         arm(), s_.before, after, {s_.check_height, p_.lift.follow_share * s_.check_height, p_.lift.rise_share});
     if (!verdict.came_along) return grip_failed("the book did not come along: " + verdict.reason);
     out_.notices.push_back("the book comes along: " + verdict.reason);
-    const PosturePath up =
-        plan_lift(arm(), p_, s_.goal.q, robot::grip_point(arm(), s_.before.q), p_.lift.height, closed_opening());
+    const PosturePath up = plan_lift(arm(), p_, *target().grip, s_.goal.q, robot::grip_point(arm(), s_.before.q),
+                                     p_.lift.height, closed_opening());
     if (!up.reachable()) return fail(std::string("it cannot be lifted on: ") + robot::describe(up.status()));
     enter(Phase::kLiftOn, "lifting on");
     play(up.moves());

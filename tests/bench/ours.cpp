@@ -1,5 +1,8 @@
 #include "tests/bench/ours.hpp"
 
+#include <algorithm>
+
+#include "services/mark-detector/colour_kernel.hpp"
 #include "services/mark-detector/luma_equalisation.hpp"
 
 namespace markservo::bench {
@@ -78,14 +81,16 @@ std::vector<target_locator::Location> Ours::locate(const mark_detector::Output& 
 
 mark_detector::LumaShift Ours::equalise(const StereoPair& pair) const {
   mark_detector::LumaHistogram histogram{};
-  mark_detector::accumulate(view_of(pair.left), histogram, parameters_.histogram_step);
-  mark_detector::accumulate(view_of(pair.right), histogram, parameters_.histogram_step);
+  const int step = std::max(1, pair.left.rows / parameters_.histogram_rows);
+  mark_detector::accumulate(view_of(pair.left), histogram, step);
+  mark_detector::accumulate(view_of(pair.right), histogram, step);
   return mark_detector::against_darkness(mark_detector::equalising_shift(histogram));
 }
 
 void Ours::classify(const StereoPair& pair, const mark_detector::LumaShift& shift) {
-  mark_detector::classify(view_of(pair.left), shift, rules_, left_masks_);
-  mark_detector::classify(view_of(pair.right), shift, rules_, right_masks_);
+  const std::vector<mark_detector::FrameRule> rules = mark_detector::frame_rules(rules_, shift);
+  mark_detector::classify(view_of(pair.left), shift, rules, left_masks_);
+  mark_detector::classify(view_of(pair.right), shift, rules, right_masks_);
 }
 
 std::size_t Ours::label() {

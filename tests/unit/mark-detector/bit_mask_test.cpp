@@ -13,10 +13,8 @@ BitMask random_mask(int width, int height, double share, unsigned seed) {
   std::mt19937 random(seed);
   std::bernoulli_distribution set(share);
   BitMask mask(width, height);
-  std::vector<uint8_t> row(static_cast<std::size_t>(width));
   for (int v = 0; v < height; ++v) {
-    for (auto& byte : row) byte = set(random) ? 1 : 0;
-    mask.set_row(v, row.data());
+    for (int u = 0; u < width; ++u) mask.set(u, v, set(random));
   }
   return mask;
 }
@@ -33,10 +31,8 @@ bool majority_at(const BitMask& mask, int u, int v) {
 
 TEST(BitMask, KeepsWhatWasSetAtAnyWidth) {
   for (const int width : {1, 7, 8, 63, 64, 65, 130}) {
-    std::vector<uint8_t> row(static_cast<std::size_t>(width));
-    for (int u = 0; u < width; ++u) row[static_cast<std::size_t>(u)] = u % 3 == 0 ? 1 : 0;
     BitMask mask(width, 2);
-    mask.set_row(1, row.data());
+    for (int u = 0; u < width; ++u) mask.set(u, 1, u % 3 == 0);
     for (int u = 0; u < width; ++u) {
       EXPECT_FALSE(mask.test(u, 0));
       EXPECT_EQ(mask.test(u, 1), u % 3 == 0) << width << " " << u;

@@ -22,7 +22,9 @@ BitMask mask_of(const std::vector<std::string>& rows) {
 
 BitMask mask_of(const cv::Mat& image) {
   BitMask mask(image.cols, image.rows);
-  for (int v = 0; v < image.rows; ++v) mask.set_row(v, image.ptr<uint8_t>(v));
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) mask.set(u, v, image.at<uint8_t>(v, u) != 0);
+  }
   return mask;
 }
 

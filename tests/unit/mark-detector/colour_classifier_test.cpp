@@ -8,6 +8,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "services/mark-detector/colour_kernel.hpp"
+
 namespace markservo::mark_detector {
 namespace {
 
@@ -122,7 +124,7 @@ TEST(ColourClassifier, GivesTheSameBitsPixelByPixelAndByRows) {
   const std::vector<ColourRule> rules = {make_rule({345.0, 15.0, 0.3, 1.0, 0.2, 1.0}, 10),
                                          make_rule({30.0, 300.0, 0.1, 0.9, 0.1, 0.9}, 0)};
   std::vector<BitMask> masks;
-  classify(image, shift, rules, masks);
+  classify(image, shift, frame_rules(rules, shift), masks);
   ASSERT_EQ(masks.size(), rules.size());
   for (std::size_t k = 0; k < rules.size(); ++k) {
     EXPECT_GT(masks[k].count(), 20);

@@ -20,7 +20,7 @@ class CarryFrom : public ::testing::TestWithParam<std::pair<double, double>> {
   Eigen::Vector3d p_CT_{GetParam().first, GetParam().second, 0.032};
   Eigen::Vector3d p_CG_ = p_CT_ + grip_.p_TG;
   robot::JointVector q_ = robot::inverse_kinematics(arm_, p_CG_, 0.0).q;
-  PosturePath up_ = plan_lift(arm_, parameters_, q_, p_CG_, 0.030, kClosed);
+  PosturePath up_ = plan_lift(arm_, parameters_, grip_, q_, p_CG_, 0.030, kClosed);
   CarryPlan plan_ = plan_carry(arm_, parameters_, grip_, {p_CT_, q_}, up_.end(), kClosed);
 };
 
@@ -86,7 +86,7 @@ TEST(CarryPlan, SaysWhyABookCannotBeCarried) {
   const auto& grip = *robot.find_mark("red_book")->grip;
   const Eigen::Vector3d p_CT(0.0325, 0.20, 0.032);
   const auto q = robot::inverse_kinematics(*robot.arm, p_CT + grip.p_TG, 0.0).q;
-  const auto up = plan_lift(*robot.arm, Parameters(), q, p_CT + grip.p_TG, 0.030, kClosed);
+  const auto up = plan_lift(*robot.arm, Parameters(), grip, q, p_CT + grip.p_TG, 0.030, kClosed);
   EXPECT_NE(plan_carry(*robot.arm, Parameters(), grip, {p_CT, q}, up.end(), kClosed).trouble, "");
 }
 

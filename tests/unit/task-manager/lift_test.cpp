@@ -16,14 +16,15 @@ class LiftAt : public ::testing::TestWithParam<double> {
  protected:
   robot::RobotDescription robot_ = default_robot();
   const robot::ArmDescription& arm_ = *robot_.arm;
+  const robot::GripDescription& grip_ = *robot_.find_mark("red_book")->grip;
   Parameters parameters_;
   Eigen::Vector3d p_CT_{0.0325, GetParam(), 0.032};
-  Eigen::Vector3d p_CG_ = p_CT_ + robot_.find_mark("red_book")->grip->p_TG;
+  Eigen::Vector3d p_CG_ = p_CT_ + grip_.p_TG;
   robot::JointVector q_ = robot::inverse_kinematics(arm_, p_CG_, 0.0).q;
 };
 
 TEST_P(LiftAt, GoesStraightUpTwelveMillimetres) {
-  const PosturePath path = plan_lift(arm_, parameters_, q_, p_CG_, 0.012, 0.01);
+  const PosturePath path = plan_lift(arm_, parameters_, grip_, q_, p_CG_, 0.012, 0.01);
   ASSERT_TRUE(path.reachable());
   EXPECT_NEAR(path.end_point().z() - p_CG_.z(), 0.012, 1e-6);
   robot::JointVector from = q_;
@@ -38,7 +39,7 @@ TEST_P(LiftAt, GoesStraightUpTwelveMillimetres) {
 }
 
 TEST_P(LiftAt, ReachesThirtyMillimetresBendingTowardsTheRobotWhereItMust) {
-  const PosturePath path = plan_lift(arm_, parameters_, q_, p_CG_, 0.030, 0.01);
+  const PosturePath path = plan_lift(arm_, parameters_, grip_, q_, p_CG_, 0.030, 0.01);
   ASSERT_TRUE(path.reachable());
   EXPECT_NEAR(path.end_point().z() - p_CG_.z(), 0.030, 1e-6);
   EXPECT_LE(path.end_point().y(), p_CG_.y() + 1e-6);
@@ -55,7 +56,7 @@ TEST_P(LiftAt, KeepsTheMarkInViewForTheCheck) {
 }
 
 TEST_P(LiftAt, IsUndoneByPuttingBack) {
-  const PosturePath up = plan_lift(arm_, parameters_, q_, p_CG_, 0.030, 0.01);
+  const PosturePath up = plan_lift(arm_, parameters_, grip_, q_, p_CG_, 0.030, 0.01);
   const Eigen::Vector3d p_CG_back = p_CG_ - Eigen::Vector3d(0.0, 0.05, 0.0);
   const PosturePath path = plan_put_back(arm_, parameters_, up.end(), p_CG_, p_CG_back, 0.01);
   ASSERT_TRUE(path.reachable());
@@ -67,7 +68,7 @@ TEST_P(LiftAt, IsUndoneByPuttingBack) {
 }
 
 TEST_P(LiftAt, TellsABookThatComesAlongFromOneThatStays) {
-  const PosturePath up = plan_lift(arm_, parameters_, q_, p_CG_, 0.012, 0.01);
+  const PosturePath up = plan_lift(arm_, parameters_, grip_, q_, p_CG_, 0.012, 0.01);
   const LiftView before{p_CT_, robot::hand_mark(arm_, q_), q_};
   LiftView after{robot::grip_pose(arm_, up.end()) * (robot::grip_pose(arm_, q_).inverse() * p_CT_),
                  robot::hand_mark(arm_, up.end()), up.end()};
@@ -81,7 +82,7 @@ TEST_P(LiftAt, TellsABookThatComesAlongFromOneThatStays) {
 }
 
 TEST_P(LiftAt, TakesABookThatHangsBetweenThePadsForOneThatComesAlong) {
-  const PosturePath up = plan_lift(arm_, parameters_, q_, p_CG_, 0.012, 0.01);
+  const PosturePath up = plan_lift(arm_, parameters_, grip_, q_, p_CG_, 0.012, 0.01);
   const LiftView before{p_CT_, robot::hand_mark(arm_, q_), q_};
   const Eigen::Vector3d rise = robot::grip_point(arm_, up.end()) - robot::grip_point(arm_, q_);
   const LiftView after{p_CT_ + rise, robot::hand_mark(arm_, up.end()), up.end()};
@@ -91,7 +92,7 @@ TEST_P(LiftAt, TakesABookThatHangsBetweenThePadsForOneThatComesAlong) {
 }
 
 TEST_P(LiftAt, TellsABookThatSlidesOutOfTheHand) {
-  const PosturePath up = plan_lift(arm_, parameters_, q_, p_CG_, 0.012, 0.01);
+  const PosturePath up = plan_lift(arm_, parameters_, grip_, q_, p_CG_, 0.012, 0.01);
   const LiftView before{p_CT_, robot::hand_mark(arm_, q_), q_};
   const Eigen::Vector3d rise = robot::grip_point(arm_, up.end()) - robot::grip_point(arm_, q_);
   for (const Eigen::Vector3d& slide :
@@ -103,7 +104,7 @@ TEST_P(LiftAt, TellsABookThatSlidesOutOfTheHand) {
 }
 
 TEST_P(LiftAt, WhereNeitherMarkMovedNothingCameAlong) {
-  const PosturePath up = plan_lift(arm_, parameters_, q_, p_CG_, 0.012, 0.01);
+  const PosturePath up = plan_lift(arm_, parameters_, grip_, q_, p_CG_, 0.012, 0.01);
   const LiftView before{p_CT_, robot::hand_mark(arm_, q_), q_};
   // An arm that stuck though its joint states went up: the marks kept their places to each other.
   const LiftView stuck{before.p_CT, before.p_CM, up.end()};
@@ -119,12 +120,14 @@ INSTANTIATE_TEST_SUITE_P(Depths, LiftAt, ::testing::Values(0.20, 0.25, 0.30));
 TEST(Lift, KeepsTheMiddleOfATurningObjectBetweenItsNeighbours) {
   const robot::RobotDescription robot = default_robot();
   const Parameters parameters;
-  const Eigen::Vector3d p_CG = Eigen::Vector3d(0.10, 0.30, 0.032) + robot.find_mark("red_book")->grip->p_TG;
+  const robot::GripDescription& grip = *robot.find_mark("red_book")->grip;
+  const Eigen::Vector3d p_CG = Eigen::Vector3d(0.10, 0.30, 0.032) + grip.p_TG;
   const robot::JointVector q = robot::inverse_kinematics(*robot.arm, p_CG, 0.0).q;
-  const PosturePath path = plan_lift(*robot.arm, parameters, q, p_CG, 0.012, 0.01);
+  const PosturePath path = plan_lift(*robot.arm, parameters, grip, q, p_CG, 0.012, 0.01);
   ASSERT_TRUE(path.reachable());
   const Eigen::Vector3d hand = robot::grip_pose(*robot.arm, path.end()).linear().col(1);
-  const double middle_x = path.end_point().x() + parameters.lift.object_middle * hand.head<2>().normalized().x();
+  const double object_middle = 0.045;  // m behind the grip: half of 12 cm, and 1.5 cm of that before it
+  const double middle_x = path.end_point().x() + object_middle * hand.head<2>().normalized().x();
   EXPECT_NEAR(middle_x, p_CG.x(), 0.0002);
   EXPECT_LT(path.end_point().x(), p_CG.x() - 0.008) << "it had to give way";
 }

@@ -1,0 +1,23 @@
+#pragma once
+
+// The last pixels of a row, for loops that take a word's worth at a time.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "services/mark-detector/bit_mask.hpp"
+
+namespace markservo::mark_detector {
+
+using PixelBlock = std::array<uint8_t, std::size_t{3} * BitMask::kWordBits>;  // 8-bit BGR
+
+// A copy in `block` of the `count` pixels, fewer than a word's, black behind them; the pixels to work on.
+inline const uint8_t* pad_block(const uint8_t* bgr, int count, PixelBlock& block) {
+  block.fill(0);
+  std::copy_n(bgr, 3 * static_cast<std::size_t>(count), block.begin());
+  return block.data();
+}
+
+}  // namespace markservo::mark_detector
