@@ -2,87 +2,75 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
-#include <utility>
 
 namespace markservo::mark_detector {
 namespace {
 
-class DisjointSets {
- public:
-  int32_t add() {
-    parent_.push_back(static_cast<int32_t>(parent_.size()));
-    return parent_.back();
-  }
-  int32_t root(int32_t i) {
-    while (parent_[index(i)] != i) {
-      parent_[index(i)] = parent_[index(parent_[index(i)])];
-      i = parent_[index(i)];
-    }
-    return i;
-  }
-  // The smaller label survives, so that labels are in the order of the regions' first pixels.
-  void join(int32_t a, int32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[index(std::max(a, b))] = std::min(a, b);
-  }
-
- private:
-  static std::size_t index(int32_t i) { return static_cast<std::size_t>(i); }
-  std::vector<int32_t> parent_;
-};
-
-struct LabelledRuns {
-  std::vector<PixelRun> runs;
-  std::vector<int32_t> labels;  // of each run: its region's first run
-};
-
-LabelledRuns label(const BitMask& mask, Connectivity connectivity) {
-  LabelledRuns result;
-  std::vector<PixelRun>& runs = result.runs;
-  DisjointSets sets;
-  const int reach = connectivity == Connectivity::kEight ? 1 : 0;
-  std::size_t above_begin = 0;
-  std::size_t above_end = 0;
-  for (int v = 0; v < mask.height(); ++v) {
-    const std::size_t row_begin = runs.size();
-    std::size_t above = above_begin;
-    const int first = mask.row_empty(v) ? mask.width() : mask.next(v, 0, true);
-    for (int begin = first; begin < mask.width();) {
-      const int end = mask.next(v, begin, false);
-      const int32_t own = sets.add();
-      runs.push_back({v, begin, end});
-      while (above < above_end && runs[above].end + reach <= begin) ++above;
-      for (std::size_t i = above; i < above_end && runs[i].begin < end + reach; ++i) {
-        sets.join(static_cast<int32_t>(i), own);
-      }
-      begin = mask.next(v, end, true);
-    }
-    above_begin = row_begin;
-    above_end = runs.size();
-  }
-  result.labels.reserve(runs.size());
-  for (std::size_t i = 0; i < runs.size(); ++i) result.labels.push_back(sets.root(static_cast<int32_t>(i)));
-  return result;
+std::size_t index(int32_t i) {
+  return static_cast<std::size_t>(i);
 }
 
-// Of each run's region, by the region's first run.
-std::vector<int64_t> areas_of(const LabelledRuns& labelled) {
-  std::vector<int64_t> areas(labelled.runs.size(), 0);
-  for (std::size_t i = 0; i < labelled.runs.size(); ++i) {
-    areas[static_cast<std::size_t>(labelled.labels[i])] += labelled.runs[i].end - labelled.runs[i].begin;
+int32_t root(std::vector<int32_t>& parents, int32_t i) {
+  while (parents[index(i)] != i) {
+    parents[index(i)] = parents[index(parents[index(i)])];
+    i = parents[index(i)];
   }
-  return areas;
+  return i;
+}
+
+// The smaller label survives, so that labels are in the order of the regions' first pixels.
+void join(std::vector<int32_t>& parents, int32_t a, int32_t b) {
+  a = root(parents, a);
+  b = root(parents, b);
+  parents[index(std::max(a, b))] = std::min(a, b);
 }
 
 bool before(const PixelRun& a, const PixelRun& b) {
   return a.v != b.v ? a.v < b.v : a.begin < b.begin;
 }
 
+// Rows without a gap, one run each, enclose nothing.
+bool is_solid(RunSpan runs) {
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    if (runs[i].v != runs[i - 1].v + 1) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-Shape shape_of(const std::vector<PixelRun>& runs) {
+void LabelledRuns::label(const BitMask& mask, Connectivity connectivity) {
+  runs.clear();
+  labels.clear();
+  const int reach = connectivity == Connectivity::kEight ? 1 : 0;
+  std::size_t above_begin = 0;
+  std::size_t above_end = 0;
+  for (int v = 0; v < mask.height(); ++v) {
+    const std::size_t row_begin = runs.size();
+    std::size_t above = above_begin;
+    const int first = mask.surely_empty(v) ? mask.width() : mask.next(v, 0, true);
+    for (int begin = first; begin < mask.width();) {
+      const int end = mask.next(v, begin, false);
+      const auto own = static_cast<int32_t>(runs.size());
+      labels.push_back(own);
+      runs.push_back({v, begin, end});
+      while (above < above_end && runs[above].end + reach <= begin) ++above;
+      for (std::size_t i = above; i < above_end && runs[i].begin < end + reach; ++i) {
+        join(labels, static_cast<int32_t>(i), own);
+      }
+      begin = mask.next(v, end, true);
+    }
+    above_begin = row_begin;
+    above_end = runs.size();
+  }
+  areas.assign(runs.size(), 0);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    labels[i] = root(labels, static_cast<int32_t>(i));
+    areas[index(labels[i])] += runs[i].end - runs[i].begin;
+  }
+}
+
+Shape shape_of(RunSpan runs) {
   Shape shape;
   if (runs.empty()) return shape;
   int left = std::numeric_limits<int>::max();
@@ -132,72 +120,95 @@ Shape shape_of(const std::vector<PixelRun>& runs) {
   return shape;
 }
 
-BlobList find_blobs(const BitMask& mask, const BlobParameters& parameters) {
-  const LabelledRuns labelled = label(mask, parameters.connectivity);
-  const std::vector<int64_t> areas = areas_of(labelled);
-  BlobList list;
-  std::vector<std::size_t> kept;
+void BlobFinder::find(const BitMask& mask, const BlobParameters& parameters, BlobList& list) {
+  labelled_.label(mask, parameters.connectivity);
+  const std::vector<int64_t>& areas = labelled_.areas;
+  list.blobs.clear();
+  list.largest_area = 0;
+  kept_.clear();
   for (std::size_t i = 0; i < areas.size(); ++i) {
     list.largest_area = std::max(list.largest_area, areas[i]);
-    if (areas[i] > 0 && areas[i] >= parameters.min_area) kept.push_back(i);
+    if (areas[i] > 0 && areas[i] >= parameters.min_area) kept_.push_back(i);
   }
-  std::stable_sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
-  if (kept.size() > parameters.max_blobs) kept.resize(parameters.max_blobs);
+  std::sort(kept_.begin(), kept_.end(),
+            [&](std::size_t a, std::size_t b) { return areas[a] != areas[b] ? areas[a] > areas[b] : a < b; });
+  if (kept_.size() > parameters.max_blobs) kept_.resize(parameters.max_blobs);
 
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> rank(areas.size(), kNone);
-  for (std::size_t i = 0; i < kept.size(); ++i) rank[kept[i]] = i;
-  list.blobs.resize(kept.size());
-  for (std::size_t i = 0; i < labelled.runs.size(); ++i) {
-    const std::size_t k = rank[static_cast<std::size_t>(labelled.labels[i])];
-    if (k != kNone) list.blobs[k].runs.push_back(labelled.runs[i]);
+  rank_.assign(areas.size(), kNone);
+  list.blobs.resize(kept_.size());
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    rank_[kept_[i]] = i;
+    list.blobs[i].num_runs = 0;
   }
-  for (Blob& blob : list.blobs) blob.shape = shape_of(blob.runs);
+  const auto rank_of = [&](std::size_t run) { return rank_[index(labelled_.labels[run])]; };
+  for (std::size_t i = 0; i < labelled_.runs.size(); ++i) {
+    if (const std::size_t k = rank_of(i); k != kNone) ++list.blobs[k].num_runs;
+  }
+  std::size_t total = 0;
+  for (Blob& blob : list.blobs) {
+    blob.first_run = total;
+    total += blob.num_runs;
+    blob.num_runs = 0;
+  }
+  list.runs.resize(total);
+  for (std::size_t i = 0; i < labelled_.runs.size(); ++i) {
+    const std::size_t k = rank_of(i);
+    if (k == kNone) continue;
+    Blob& blob = list.blobs[k];
+    list.runs[blob.first_run + blob.num_runs++] = labelled_.runs[i];
+  }
+  for (Blob& blob : list.blobs) blob.shape = shape_of(list.runs_of(blob));
+}
+
+BlobList find_blobs(const BitMask& mask, const BlobParameters& parameters) {
+  BlobList list;
+  BlobFinder().find(mask, parameters, list);
   return list;
 }
 
-Blob merge(const std::vector<Blob>& blobs) {
-  Blob all;
-  for (const Blob& blob : blobs) all.runs.insert(all.runs.end(), blob.runs.begin(), blob.runs.end());
-  std::sort(all.runs.begin(), all.runs.end(), before);
-  all.shape = shape_of(all.runs);
-  return all;
+void merge(const BlobList& list, std::vector<PixelRun>& runs) {
+  runs = list.runs;
+  std::sort(runs.begin(), runs.end(), before);
 }
 
-std::vector<PixelRun> fill_holes(const Blob& blob, int64_t max_hole) {
+void HoleFiller::fill(RunSpan blob, int64_t max_hole, std::vector<PixelRun>& filled) {
+  filled.assign(blob.begin(), blob.end());
+  if (max_hole <= 0 || is_solid(blob)) return;
   // The blob's complement in its box and one pixel around: what is connected to that rim is outside.
-  const int left = blob.shape.x - 1;
-  const int top = blob.shape.y - 1;
-  BitMask background(blob.shape.width + 2, blob.shape.height + 2);
+  const Shape shape = shape_of(blob);
+  const int left = shape.x - 1;
+  const int top = shape.y - 1;
+  background_.reset(shape.width + 2, shape.height + 2);
   std::size_t next = 0;
-  for (int v = 0; v < background.height(); ++v) {
+  for (int v = 0; v < background_.height(); ++v) {
     int begin = 0;
-    for (; next < blob.runs.size() && blob.runs[next].v - top == v; ++next) {
-      background.set_run(v, begin, blob.runs[next].begin - left);
-      begin = blob.runs[next].end - left;
+    for (; next < blob.size() && blob[next].v - top == v; ++next) {
+      background_.set_run(v, begin, blob[next].begin - left);
+      begin = blob[next].end - left;
     }
-    background.set_run(v, begin, background.width());
+    background_.set_run(v, begin, background_.width());
   }
-  const LabelledRuns labelled = label(background, Connectivity::kFour);
-  const std::vector<int64_t> areas = areas_of(labelled);
-  std::vector<PixelRun> runs = blob.runs;
-  for (std::size_t i = 0; i < labelled.runs.size(); ++i) {
-    const auto region = static_cast<std::size_t>(labelled.labels[i]);
-    const PixelRun& run = labelled.runs[i];
+  labelled_.label(background_, Connectivity::kFour);
+  for (std::size_t i = 0; i < labelled_.runs.size(); ++i) {
+    const std::size_t region = index(labelled_.labels[i]);
+    const PixelRun& run = labelled_.runs[i];
     // The rim is one region, and the very first: it holds the first run.
-    if (region != 0 && areas[region] <= max_hole) runs.push_back({run.v + top, run.begin + left, run.end + left});
-  }
-  if (runs.size() == blob.runs.size()) return runs;
-  std::sort(runs.begin(), runs.end(), before);
-  std::vector<PixelRun> joined;
-  for (const PixelRun& run : runs) {
-    if (!joined.empty() && joined.back().v == run.v && joined.back().end == run.begin) {
-      joined.back().end = run.end;
-    } else {
-      joined.push_back(run);
+    if (region != 0 && labelled_.areas[region] <= max_hole) {
+      filled.push_back({run.v + top, run.begin + left, run.end + left});
     }
   }
-  return joined;
+  if (filled.size() == blob.size()) return;
+  std::sort(filled.begin(), filled.end(), before);
+  runs_.clear();
+  for (const PixelRun& run : filled) {
+    if (!runs_.empty() && runs_.back().v == run.v && runs_.back().end == run.begin) {
+      runs_.back().end = run.end;
+    } else {
+      runs_.push_back(run);
+    }
+  }
+  filled.swap(runs_);
 }
 
 }  // namespace markservo::mark_detector

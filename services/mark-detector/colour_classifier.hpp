@@ -18,8 +18,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/imaging/bit_mask.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/mark-detector/bit_mask.hpp"
 #include "services/mark-detector/image_view.hpp"
 #include "services/mark-detector/luma_equalisation.hpp"
 

@@ -17,8 +17,9 @@ namespace markservo::mark_detector::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kBlock = BitMask::kWordBits;
+constexpr int kBlock = imaging::BitMask::kWordBits;
 
+using Bytes = hn::CappedTag<uint8_t, kBlock>;
 using Levels = hn::CappedTag<int16_t, kBlock>;
 using Wide = hn::CappedTag<int32_t, kBlock>;
 
@@ -46,30 +47,85 @@ HWY_INLINE auto at_least(D d, V a, V b) {
   return hn::Gt(hn::Sub(a, b), hn::Set(d, -1));
 }
 
-// Fills the features; 0 if no pixel has the chroma that the easiest rule asks for.
-HWY_INLINE uint64_t extract(const uint8_t* bgr, int least_chroma, int least_saturation, Features& features) {
+// What the easiest of the rules asks for, in bytes and never more than that.
+struct Sieve {
+  uint8_t chroma = 255;
+  uint8_t halves = 0;  // all bits set if the least saturation has that share in it, of value
+  uint8_t quarters = 0;
+  uint8_t eighths = 0;
+};
+
+Sieve make_sieve(const FrameRule* rules, int num_rules) {
+  Sieve sieve;
+  int least_saturation = ColourRule::kCoarseScale;
+  for (int k = 0; k < num_rules; ++k) {
+    sieve.chroma = static_cast<uint8_t>(std::min<int>(sieve.chroma, rules[k].rule.chroma_min));
+    least_saturation = std::min<int>(least_saturation, rules[k].rule.coarse_saturation_min);
+  }
+  const int eighths = 8 * least_saturation / (ColourRule::kCoarseScale + 1);
+  const auto share = [eighths](int bit) { return static_cast<uint8_t>((eighths & bit) != 0 ? 255 : 0); };
+  sieve.halves = share(4);
+  sieve.quarters = share(2);
+  sieve.eighths = share(1);
+  return sieve;
+}
+
+// Does one of a block's pixels get through the sieve?
+#if HWY_TARGET == HWY_SCALAR
+// Over all bytes, as if a pixel began at each, so that the compiler can use what vectors there are.
+HWY_INLINE bool any_coloured(const uint8_t* bgr, const Sieve& sieve) {
+  constexpr int kLast = 3 * kBlock - 2;
+  uint8_t through[3 * kBlock];
+  for (int i = 0; i < kLast; ++i) {
+    const uint8_t value = std::max(bgr[i], std::max(bgr[i + 1], bgr[i + 2]));
+    const uint8_t least = std::min(bgr[i], std::min(bgr[i + 1], bgr[i + 2]));
+    const auto chroma = static_cast<uint8_t>(value - least);
+    const auto saturated = static_cast<uint8_t>(((value >> 1) & sieve.halves) + ((value >> 2) & sieve.quarters) +
+                                                ((value >> 3) & sieve.eighths));
+    through[i] = chroma >= std::max(saturated, sieve.chroma) ? 1 : 0;
+  }
+  uint8_t any = 0;
+  for (int i = 0; i < kLast; i += 3) any |= through[i];
+  return any != 0;
+}
+#else
+HWY_INLINE bool any_coloured(const uint8_t* bgr, const Sieve& sieve) {
+  const Bytes d;
+  const int n = static_cast<int>(hn::Lanes(d));
+  auto any = hn::Zero(d);
+  for (int u = 0; u < kBlock; u += n) {
+    auto b = hn::Zero(d);
+    auto g = hn::Zero(d);
+    auto r = hn::Zero(d);
+    hn::LoadInterleaved3(d, bgr + std::ptrdiff_t{3} * u, b, g, r);
+    const auto value = hn::Max(b, hn::Max(g, r));
+    const auto chroma = hn::Sub(value, hn::Min(b, hn::Min(g, r)));
+    const auto saturated = hn::Add(hn::And(hn::ShiftRight<1>(value), hn::Set(d, sieve.halves)),
+                                   hn::Add(hn::And(hn::ShiftRight<2>(value), hn::Set(d, sieve.quarters)),
+                                           hn::And(hn::ShiftRight<3>(value), hn::Set(d, sieve.eighths))));
+    const auto least = hn::Max(saturated, hn::Set(d, sieve.chroma));
+    any = hn::Or(any, hn::VecFromMask(d, hn::Eq(hn::Max(chroma, least), chroma)));
+  }
+  return !hn::AllFalse(d, hn::Ne(any, hn::Zero(d)));
+}
+#endif
+
+HWY_INLINE void extract(const uint8_t* bgr, Features& features) {
   const Levels d;
   const hn::Rebind<uint8_t, Levels> bytes;
   const int n = static_cast<int>(hn::Lanes(d));
-  uint64_t any = 0;
   for (int u = 0; u < kBlock; u += n) {
     auto b8 = hn::Zero(bytes);
     auto g8 = hn::Zero(bytes);
     auto r8 = hn::Zero(bytes);
     hn::LoadInterleaved3(bytes, bgr + std::ptrdiff_t{3} * u, b8, g8, r8);
     const auto value = hn::PromoteTo(d, hn::Max(b8, hn::Max(g8, r8)));
-    const auto chroma = hn::Sub(value, hn::PromoteTo(d, hn::Min(b8, hn::Min(g8, r8))));
     const auto g = hn::PromoteTo(d, g8);
     hn::Store(hn::Sub(hn::PromoteTo(d, r8), g), d, features.x + u);
     hn::Store(hn::Sub(g, hn::PromoteTo(d, b8)), d, features.y + u);
-    hn::Store(chroma, d, features.chroma + u);
+    hn::Store(hn::Sub(value, hn::PromoteTo(d, hn::Min(b8, hn::Min(g8, r8)))), d, features.chroma + u);
     hn::Store(value, d, features.value + u);
-    const auto coloured = hn::And(at_least(d, chroma, hn::Set(d, static_cast<int16_t>(least_chroma))),
-                                  at_least(d, hn::Mul(chroma, hn::Set(d, ColourRule::kCoarseScale)),
-                                           hn::Mul(value, hn::Set(d, static_cast<int16_t>(least_saturation)))));
-    any |= bits_of(d, coloured) << u;
   }
-  return any;
 }
 
 // The pixels that may belong: in 16 bits, never missing one that does.
@@ -139,14 +195,10 @@ HWY_INLINE uint64_t exact(const FrameRule& frame_rule, const Features& features,
   return bits;
 }
 
-void ClassifyRow(const uint8_t* bgr, int width, const FrameRule* rules, int num_rules, const LumaShift& shift,
-                 uint64_t* const* words) {
-  int least_chroma = 255;
-  int least_saturation = ColourRule::kCoarseScale;
-  for (int k = 0; k < num_rules; ++k) {
-    least_chroma = std::min<int>(least_chroma, rules[k].rule.chroma_min);
-    least_saturation = std::min<int>(least_saturation, rules[k].rule.coarse_saturation_min);
-  }
+uint32_t ClassifyRow(const uint8_t* bgr, int width, const FrameRule* rules, int num_rules, const LumaShift& shift,
+                     uint64_t* const* words) {
+  const Sieve sieve = make_sieve(rules, num_rules);
+  uint32_t met = 0;
   Features features;
   PixelBlock rest;
   for (int begin = 0, w = 0; begin < width; begin += kBlock, ++w) {
@@ -154,7 +206,8 @@ void ClassifyRow(const uint8_t* bgr, int width, const FrameRule* rules, int num_
     const int count = std::min(kBlock, width - begin);
     if (count < kBlock) pixels = pad_block(pixels, count, rest);
     const uint64_t within = count == kBlock ? ~uint64_t{0} : (uint64_t{1} << count) - 1;
-    const bool coloured = (extract(pixels, least_chroma, least_saturation, features) & within) != 0;
+    const bool coloured = any_coloured(pixels, sieve);
+    if (coloured) extract(pixels, features);
     for (int k = 0; k < num_rules; ++k) {
       uint64_t bits = 0;
       if (coloured && (possible(rules[k], features) & within) != 0) {
@@ -169,17 +222,19 @@ void ClassifyRow(const uint8_t* bgr, int width, const FrameRule* rules, int num_
         }
       }
       words[k][w] = bits;
+      met |= static_cast<uint32_t>(bits != 0) << k;
     }
   }
+  return met;
 }
 
-void CountLumaRow(const uint8_t* bgr, int width, LumaCounts& counts) {
+void CountLumaRow(const uint8_t* bgr, int width, LumaSampling sampling, LumaCounts& counts) {
   const Wide d;
   const hn::Rebind<uint8_t, Wide> bytes;
   const int n = static_cast<int>(hn::Lanes(d));
   HWY_ALIGN uint8_t lumas[kBlock];
-  int u = 0;
-  for (; u + kBlock <= width; u += kBlock) {
+  int u = sampling.first * kBlock;
+  for (; u + kBlock <= width; u += sampling.step * kBlock) {
     for (int i = 0; i < kBlock; i += n) {
       auto b8 = hn::Zero(bytes);
       auto g8 = hn::Zero(bytes);
@@ -209,10 +264,9 @@ namespace markservo::mark_detector {
 HWY_EXPORT(ClassifyRow);
 HWY_EXPORT(CountLumaRow);
 
-std::vector<FrameRule> frame_rules(const std::vector<ColourRule>& rules, const LumaShift& shift) {
+void frame_rules(const std::vector<ColourRule>& rules, const LumaShift& shift, std::vector<FrameRule>& result) {
   const auto [least, most] = std::minmax_element(shift.begin(), shift.end());
-  std::vector<FrameRule> result;
-  result.reserve(rules.size());
+  result.clear();
   for (const ColourRule& rule : rules) {
     FrameRule frame_rule;
     frame_rule.rule = rule;
@@ -225,27 +279,15 @@ std::vector<FrameRule> frame_rules(const std::vector<ColourRule>& rules, const L
     frame_rule.certain_max = rule.value_max >= 255 ? kAny : narrow(rule.value_max - *most);
     result.push_back(frame_rule);
   }
-  return result;
 }
 
-void classify_row(const uint8_t* bgr, int width, const std::vector<FrameRule>& rules, const LumaShift& shift,
-                  uint64_t* const* words) {
-  HWY_DYNAMIC_DISPATCH(ClassifyRow)(bgr, width, rules.data(), static_cast<int>(rules.size()), shift, words);
+uint32_t classify_row(const uint8_t* bgr, int width, const FrameRule* rules, std::size_t num_rules,
+                      const LumaShift& shift, uint64_t* const* words) {
+  return HWY_DYNAMIC_DISPATCH(ClassifyRow)(bgr, width, rules, static_cast<int>(num_rules), shift, words);
 }
 
-void classify(const ImageView& image, const LumaShift& shift, const std::vector<FrameRule>& rules,
-              std::vector<BitMask>& masks) {
-  masks.resize(rules.size());
-  for (BitMask& mask : masks) mask.resize(image.width, image.height);
-  std::array<uint64_t*, robot::kMaxMarks> rows{};
-  for (int v = 0; v < image.height; ++v) {
-    for (std::size_t k = 0; k < rules.size(); ++k) rows.at(k) = masks[k].row(v);
-    classify_row(image.row(v), image.width, rules, shift, rows.data());
-  }
-}
-
-void count_luma_row(const uint8_t* bgr, int width, LumaCounts& counts) {
-  HWY_DYNAMIC_DISPATCH(CountLumaRow)(bgr, width, counts);
+void count_luma_row(const uint8_t* bgr, int width, LumaSampling sampling, LumaCounts& counts) {
+  HWY_DYNAMIC_DISPATCH(CountLumaRow)(bgr, width, sampling, counts);
 }
 
 }  // namespace markservo::mark_detector

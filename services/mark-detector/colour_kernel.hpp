@@ -3,6 +3,7 @@
 // The passes over every pixel, in vector code for the processor it runs on (Highway): all targets give the same bits.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,20 +22,23 @@ struct FrameRule {
 };
 
 // The rules for a frame that is equalised by `shift`.
-std::vector<FrameRule> frame_rules(const std::vector<ColourRule>& rules, const LumaShift& shift);
+void frame_rules(const std::vector<ColourRule>& rules, const LumaShift& shift, std::vector<FrameRule>& result);
 
-// Classifies a row of `width` pixels, 1 or more, of 8-bit BGR: words[k] receives rule k's bits, one a pixel, lowest
-// first, the last word padded with zeros. 1 to 8 rules.
-void classify_row(const uint8_t* bgr, int width, const std::vector<FrameRule>& rules, const LumaShift& shift,
-                  uint64_t* const* words);
+// Classifies a row of `width` pixels, 1 or more, of 8-bit BGR: words[k] receives the bits of the k-th of `num_rules`
+// rules, one a pixel, lowest first, the last word padded with zeros. 1 to 8 rules. Returns which rules some pixel
+// meets: bit k for the k-th.
+uint32_t classify_row(const uint8_t* bgr, int width, const FrameRule* rules, std::size_t num_rules,
+                      const LumaShift& shift, uint64_t* const* words);
 
-// One mask per rule, of the image's size. `masks` keep their memory from call to call.
-void classify(const ImageView& image, const LumaShift& shift, const std::vector<FrameRule>& rules,
-              std::vector<BitMask>& masks);
+// Which pixels of a row are counted: of its blocks of 64 from the `first` on every `step`-th.
+struct LumaSampling {
+  int first = 0;
+  int step = 1;
+};
 
 // Counts the lumas of a row of `width` pixels. Four tables, to be added up: neighbours often have the same luma, and so
 // their increments do not wait for each other.
 using LumaCounts = std::array<std::array<uint32_t, 256>, 4>;
-void count_luma_row(const uint8_t* bgr, int width, LumaCounts& counts);
+void count_luma_row(const uint8_t* bgr, int width, LumaSampling sampling, LumaCounts& counts);
 
 }  // namespace markservo::mark_detector

@@ -9,9 +9,13 @@
 
 namespace markservo::mark_detector {
 
-void accumulate(const ImageView& image, LumaHistogram& histogram, int row_step) {
+void accumulate(const ImageView& image, LumaHistogram& histogram, int row_step, int block_step) {
   LumaCounts counts{};
-  for (int v = 0; v < image.height; v += row_step) count_luma_row(image.row(v), image.width, counts);
+  int first = 0;
+  for (int v = 0; v < image.height; v += row_step) {
+    count_luma_row(image.row(v), image.width, {first, block_step}, counts);
+    first = (first + 1) % block_step;
+  }
   for (const auto& table : counts) {
     for (std::size_t i = 0; i < table.size(); ++i) histogram[i] += table[i];
   }

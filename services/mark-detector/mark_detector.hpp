@@ -2,34 +2,42 @@
 
 // The paper's steps 1 and 2: equalise, classify by colour, find each mark's pixels in both images.
 
+#include <array>
+#include <bitset>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "common/geometry/stereo_camera.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/mark-detector/bit_mask.hpp"
 #include "services/mark-detector/blobs.hpp"
 #include "services/mark-detector/colour_classifier.hpp"
+#include "services/mark-detector/colour_scan.hpp"
 #include "services/mark-detector/image_view.hpp"
+#include "services/mark-detector/majority_filter.hpp"
 #include "services/mark-detector/mark_selection.hpp"
-#include "services/mark-detector/outline.hpp"
 #include "services/mark-detector/patch_cutter.hpp"
 #include "services/mark-detector/region.hpp"
+#include "services/mark-detector/separability.hpp"
 
 namespace markservo::mark_detector {
 
 struct Parameters {
   bool equalise = true;
   int histogram_rows = 60;     // looked at, spread over the image: of 480 every eighth, a level off at most
+  int histogram_blocks = 4;    // of these rows every fourth block of 64 px, another one from row to row
   int chroma_min = 14;         // levels; below it hue is noise (sigma 3 makes 5 on grey, 11 at the 99.9th percentile)
   int64_t min_area = 60;       // px; a mark of 8 x 8 px has no texture to match
   double hole_fraction = 0.1;  // of the blob's area: holes up to this are dirt, glare or print, and belong to the mark
   int64_t noise_hole = 9;      // px; holes up to this are noise, also in marks that are free
   int memory_frames = 30;      // frames for which the place of a mark that is not seen is remembered
-  OutlineParameters outline;
+  // Frames from one search of the whole image to the next; between them a mark is looked for around its last place, and
+  // where it was not seen in every coarse_rows-th row. 1: always everywhere.
+  int full_scan_every = 5;
+  int coarse_rows = 8;    // px from row to row: a mark of 8 x 8 px crosses one
+  int coarse_least = 4;   // px in one of them that make the whole image worth a search
+  int track_margin = 12;  // px around a mark's last box, and a quarter of its size
   SelectionParameters selection;
   PatchParameters patch;
 };
@@ -63,15 +71,36 @@ struct Output {
   std::vector<Finding> marks;  // every configured mark, in their order
 };
 
-// Memory, only for choosing between blobs; and room that is used again from frame to frame.
+// Memory of where marks were, for choosing between blobs and for where to look; and room that is used again from frame
+// to frame, so that none is asked for after the first.
 struct State {
   struct Memory {
+    bool known = false;
     LastSeen place;
-    int age = 0;  // frames since
+    Shape left;  // as last seen
+    Shape right;
+    int width = 0;   // px of the images
+    int height = 0;  // px
+    int age = 0;     // frames since then
   };
-  std::map<std::string, Memory> marks;
-  std::vector<BitMask> left_masks;
-  std::vector<BitMask> right_masks;
+  std::array<Memory, robot::kMaxMarks> memory;
+  int frames_to_full_scan = 0;
+  int next_coarse_row = 0;
+
+  std::array<BitMask, robot::kMaxMarks> left_masks;
+  std::array<BitMask, robot::kMaxMarks> right_masks;
+  std::vector<FrameRule> rules;
+  MajorityFilter filter;
+  BitMask clean;
+  BlobFinder finder;
+  HoleFiller filler;
+  std::vector<PixelRun> merged;
+  std::vector<PixelRun> filled;
+  SeparabilityMeter separability;
+  PatchPlan patches;
+  std::vector<PatchRequest> requests;
+  std::vector<std::size_t> order;
+  Output output;
 };
 
 class MarkDetector {
@@ -79,13 +108,23 @@ class MarkDetector {
   // Throws std::invalid_argument if there are no marks or parameters are out of range.
   MarkDetector(std::vector<robot::MarkDescription> marks, const Parameters& parameters);
 
-  // Throws std::invalid_argument if the left image is empty or the right one's size differs.
-  Output step(const Input& input, State& state) const;
+  // The answer is the state's, until the next step. A state belongs to one detector. Throws std::invalid_argument if
+  // the left image is empty or the right one's size differs.
+  const Output& step(const Input& input, State& state) const;
 
  private:
-  void find_views(const Input& input, State& state, const robot::MarkDescription& mark, Finding& finding) const;
-  View make_view(const ImageView& image, const robot::MarkDescription& mark, const Blob& blob) const;
-  void cut_patches(const Input& input, std::vector<Finding>& findings) const;
+  using MarkSet = std::bitset<robot::kMaxMarks>;
+
+  LumaShift equalise(const Input& input) const;
+  MarkSet tracked_marks(const Input& input, State& state) const;
+  MarkSet marks_in_sight(const Input& input, const LumaShift& shift, MarkSet marks, State& state) const;
+  void search_everywhere(const Input& input, const LumaShift& shift, MarkSet marks, State& state) const;
+  bool search_around(const Input& input, const LumaShift& shift, std::size_t mark, State& state) const;
+  void miss(const Input& input, std::size_t mark, State& state) const;
+  void find_views(const Input& input, std::size_t mark, State& state) const;
+  void make_view(const ImageView& image, std::size_t mark, const BlobList& list, const Blob* blob, State& state,
+                 View& view) const;
+  void cut_patches(const Input& input, State& state) const;
 
   std::vector<robot::MarkDescription> marks_;
   Parameters parameters_;

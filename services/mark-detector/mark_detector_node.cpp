@@ -163,7 +163,7 @@ std::optional<int> MarkDetectorNode::run_alone() {
   Input input;
   input.left = view_of(left);
   if (!right.empty()) input.right = view_of(right);
-  const Output output = detector_->step(input, state_);
+  const Output& output = detector_->step(input, state_);
 
   nlohmann::ordered_json json{{"image", image_file_}};
   if (!right.empty()) json["right"] = right_file_;

@@ -38,6 +38,50 @@ std::size_t select_single(const std::vector<Blob>& blobs, const std::optional<La
   return static_cast<std::size_t>(nearest - blobs.begin());
 }
 
+// What says that two shapes cannot be one mark.
+enum class Contradiction { kNone, kRows, kDisparity, kHeights, kAreas, kSize };
+
+// The numbers that a pair is judged by.
+struct Judgement {
+  Contradiction contradiction = Contradiction::kNone;
+  double rows = 0.0;  // px apart
+  double rows_allowed = 0.0;
+  double disparity = 0.0;      // px
+  double area = 0.0;           // px, mean
+  double expected_area = 0.0;  // px
+};
+
+Judgement judge(const Shape& left, const Shape& right, const SelectionContext& context,
+                const SelectionParameters& parameters) {
+  Judgement j;
+  const auto contradicted = [&j](Contradiction by) {
+    j.contradiction = by;
+    return j;
+  };
+  j.rows = std::abs(left.v - right.v);
+  j.rows_allowed = parameters.row_tolerance + parameters.row_tolerance_of_height * std::max(left.height, right.height);
+  if (j.rows > j.rows_allowed) return contradicted(Contradiction::kRows);
+  j.disparity = left.u - right.u - context.principal_offset;
+  if (j.disparity <= 0.0) return contradicted(Contradiction::kDisparity);
+  // What the border cuts off is not the same in both images.
+  if (is_clipped(left, context.image_width, context.image_height) ||
+      is_clipped(right, context.image_width, context.image_height)) {
+    return j;
+  }
+  if (ratio(left.height, right.height) > parameters.height_ratio_max) return contradicted(Contradiction::kHeights);
+  if (ratio(left.area, right.area) > parameters.area_ratio_max) return contradicted(Contradiction::kAreas);
+  if (context.size_per_baseline) {
+    const double edge = *context.size_per_baseline * j.disparity;  // px: similar triangles with the baseline
+    j.expected_area = edge * edge;
+    j.area = 0.5 * (left.area + right.area);
+    if (j.area < parameters.expected_area_min * j.expected_area ||
+        j.area > parameters.expected_area_max * j.expected_area) {
+      return contradicted(Contradiction::kSize);
+    }
+  }
+  return j;
+}
+
 }  // namespace
 
 bool is_clipped(const Shape& shape, int image_width, int image_height) {
@@ -46,36 +90,26 @@ bool is_clipped(const Shape& shape, int image_width, int image_height) {
 
 std::string inconsistency(const Shape& left, const Shape& right, const SelectionContext& context,
                           const SelectionParameters& parameters) {
-  const bool clipped = is_clipped(left, context.image_width, context.image_height) ||
-                       is_clipped(right, context.image_width, context.image_height);
-  const double rows = std::abs(left.v - right.v);
-  const double rows_allowed =
-      parameters.row_tolerance + parameters.row_tolerance_of_height * std::max(left.height, right.height);
-  if (rows > rows_allowed) return text("the blobs' rows differ by %.1f px, allowed %.1f px", rows, rows_allowed);
-
-  const double disparity = left.u - right.u - context.principal_offset;
-  if (disparity <= 0.0) return text("the blobs' disparity is %.1f px, allowed above 0 px", disparity);
-  // What the border cuts off is not the same in both images.
-  if (clipped) return {};
-
-  if (ratio(left.height, right.height) > parameters.height_ratio_max) {
-    return text("the blobs' heights are %d and %d px, allowed ratio %.2f", left.height, right.height,
-                parameters.height_ratio_max);
-  }
-  if (ratio(left.area, right.area) > parameters.area_ratio_max) {
-    return text("the blobs' areas are %.0f and %.0f px, allowed ratio %.2f", left.area, right.area,
-                parameters.area_ratio_max);
-  }
-  if (context.size_per_baseline) {
-    const double edge = *context.size_per_baseline * disparity;  // px: similar triangles with the baseline
-    const double expected = edge * edge;
-    const double area = 0.5 * (left.area + right.area);
-    if (area < parameters.expected_area_min * expected || area > parameters.expected_area_max * expected) {
+  const Judgement j = judge(left, right, context, parameters);
+  switch (j.contradiction) {
+    case Contradiction::kNone:
+      break;
+    case Contradiction::kRows:
+      return text("the blobs' rows differ by %.1f px, allowed %.1f px", j.rows, j.rows_allowed);
+    case Contradiction::kDisparity:
+      return text("the blobs' disparity is %.1f px, allowed above 0 px", j.disparity);
+    case Contradiction::kHeights:
+      return text("the blobs' heights are %d and %d px, allowed ratio %.2f", left.height, right.height,
+                  parameters.height_ratio_max);
+    case Contradiction::kAreas:
+      return text("the blobs' areas are %.0f and %.0f px, allowed ratio %.2f", left.area, right.area,
+                  parameters.area_ratio_max);
+    case Contradiction::kSize:
       return text(
           "the blobs have %.0f px where the mark's size and their disparity of %.0f px make %.0f px, "
           "allowed %.0f to %.0f %%",
-          area, disparity, expected, 100.0 * parameters.expected_area_min, 100.0 * parameters.expected_area_max);
-    }
+          j.area, j.disparity, j.expected_area, 100.0 * parameters.expected_area_min,
+          100.0 * parameters.expected_area_max);
   }
   return {};
 }
@@ -95,7 +129,7 @@ Selection select_pair(const std::vector<Blob>& left, const std::vector<Blob>& ri
       const Shape& a = left[l].shape;
       const Shape& b = right[r].shape;
       const double score = last ? -distance_2(a, b, *last) : a.area + b.area;
-      if (score <= best || !inconsistency(a, b, context, parameters).empty()) continue;
+      if (score <= best || judge(a, b, context, parameters).contradiction != Contradiction::kNone) continue;
       best = score;
       selection.left = l;
       selection.right = r;

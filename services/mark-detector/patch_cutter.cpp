@@ -56,8 +56,8 @@ PatchFrame frame_patch(const Shape& box, const PatchParameters& parameters, int 
   return {columns.begin, rows.begin, scale, columns.count, rows.count};
 }
 
-std::vector<int> plan_scales(const std::vector<PatchRequest>& requests, const PatchParameters& parameters,
-                             int image_width, int image_height) {
+void plan_scales(const std::vector<PatchRequest>& requests, const PatchParameters& parameters, int image_width,
+                 int image_height, PatchPlan& plan) {
   const int greatest = std::max(1, std::min(image_width, image_height));
   // The least scale whose patches have at most `side` px and together at most `budget` bytes.
   const auto fit = [&](const PatchRequest& request, int side, int64_t budget) {
@@ -71,23 +71,26 @@ std::vector<int> plan_scales(const std::vector<PatchRequest>& requests, const Pa
     return Fit{};
   };
 
-  std::vector<int64_t> reserved;
+  plan.reserved.clear();
   int64_t left_over = parameters.budget;
   for (const PatchRequest& request : requests) {
-    reserved.push_back(fit(request, std::min(kReservedSide, parameters.limit), left_over).bytes);
-    left_over -= reserved.back();
+    plan.reserved.push_back(fit(request, std::min(kReservedSide, parameters.limit), left_over).bytes);
+    left_over -= plan.reserved.back();
   }
-  std::vector<int> scales;
+  plan.scales.clear();
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    const Fit best = fit(requests[i], parameters.limit, left_over + reserved[i]);
-    left_over += reserved[i] - best.bytes;
-    scales.push_back(best.scale);
+    const Fit best = fit(requests[i], parameters.limit, left_over + plan.reserved[i]);
+    left_over += plan.reserved[i] - best.bytes;
+    plan.scales.push_back(best.scale);
   }
-  return scales;
 }
 
-Patch cut_patch(const ImageView& image, const Region& mark, const PatchFrame& frame) {
-  Patch patch{frame.x, frame.y, frame.scale, frame.width, frame.height, {}, {}};
+void cut_patch(const ImageView& image, const Region& mark, const PatchFrame& frame, Patch& patch) {
+  patch.x = frame.x;
+  patch.y = frame.y;
+  patch.scale = frame.scale;
+  patch.width = frame.width;
+  patch.height = frame.height;
   const auto width = static_cast<std::size_t>(frame.width);
   const auto height = static_cast<std::size_t>(frame.height);
   const std::size_t mask_stride = (width + 7) / 8;
@@ -95,7 +98,7 @@ Patch cut_patch(const ImageView& image, const Region& mark, const PatchFrame& fr
   patch.mask.assign(mask_stride * height, 0);
   if (frame.scale == 1) {
     copy_patch(image, mark, patch);
-    return patch;
+    return;
   }
   const int n = frame.scale * frame.scale;
   std::vector<int> sums(width * 4);  // b, g, r, pixels of the mark
@@ -122,7 +125,6 @@ Patch cut_patch(const ImageView& image, const Region& mark, const PatchFrame& fr
       }
     }
   }
-  return patch;
 }
 
 }  // namespace markservo::mark_detector

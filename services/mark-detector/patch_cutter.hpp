@@ -51,12 +51,18 @@ struct PatchRequest {
   Shape right;
 };
 
-// The scale of each request's pair, 0 for no patch. Requests come in order of importance: each takes the least scale
-// that keeps within the limit and the budget, less 32 patch pixels a side for each that comes after.
-std::vector<int> plan_scales(const std::vector<PatchRequest>& requests, const PatchParameters& parameters,
-                             int image_width, int image_height);
+// What patches are cut at. Keeps its memory.
+struct PatchPlan {
+  std::vector<int> scales;        // of each request's pair, 0 for no patch
+  std::vector<int64_t> reserved;  // bytes of each, at least
+};
 
-// Cuts the patch and averages it, rounding to nearest.
-Patch cut_patch(const ImageView& image, const Region& mark, const PatchFrame& frame);
+// The scale of each request's pair. Requests come in order of importance: each takes the least scale
+// that keeps within the limit and the budget, less 32 patch pixels a side for each that comes after.
+void plan_scales(const std::vector<PatchRequest>& requests, const PatchParameters& parameters, int image_width,
+                 int image_height, PatchPlan& plan);
+
+// Cuts the patch and averages it, rounding to nearest. `patch` keeps its memory.
+void cut_patch(const ImageView& image, const Region& mark, const PatchFrame& frame, Patch& patch);
 
 }  // namespace markservo::mark_detector

@@ -56,7 +56,11 @@ void add_masks(const std::string& name, const View& view, const BlobList& blobs,
   for (std::size_t i = 0; i < std::min(kMaxBlobMasks, blobs.blobs.size()); ++i) {
     const Blob& blob = blobs.blobs[i];
     const auto hole = static_cast<int64_t>(Parameters{}.hole_fraction * blob.shape.area);
-    const Region region = make_region(fill_holes(blob, hole), 0, size.width, size.height);
+    HoleFiller filler;
+    std::vector<PixelRun> runs;
+    filler.fill(blobs.runs_of(blob), hole, runs);
+    Region region;
+    make_region(runs, shape_of(runs), 0, size.width, size.height, region);
     masks.push_back({name + "-blob-" + std::to_string(i) + ".png", mask_of(region, size)});
   }
 }

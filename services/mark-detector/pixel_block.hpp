@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "services/mark-detector/bit_mask.hpp"
+#include "common/imaging/bit_mask.hpp"
 
 namespace markservo::mark_detector {
 
-using PixelBlock = std::array<uint8_t, std::size_t{3} * BitMask::kWordBits>;  // 8-bit BGR
+using PixelBlock = std::array<uint8_t, std::size_t{3} * imaging::BitMask::kWordBits>;  // 8-bit BGR
 
 // A copy in `block` of the `count` pixels, fewer than a word's, black behind them; the pixels to work on.
 inline const uint8_t* pad_block(const uint8_t* bgr, int count, PixelBlock& block) {

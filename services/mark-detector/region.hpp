@@ -1,10 +1,7 @@
 #pragma once
 
-// A window of the image around one mark: for work on its outline.
+// A window of the image around one mark.
 
-#include <vector>
-
-#include "services/mark-detector/bit_mask.hpp"
 #include "services/mark-detector/blobs.hpp"
 
 namespace markservo::mark_detector {
@@ -23,18 +20,8 @@ struct Region {
   }
 };
 
-// The runs' box widened by `margin` px, as far as the image reaches. Empty for no runs.
-Region make_region(const std::vector<PixelRun>& runs, int margin, int image_width, int image_height);
-
-// How far the pixels of a window are from the mark's outline; every one is in one of the three.
-struct Depths {
-  BitMask inside;   // in the mark, further than the band from every pixel that is not
-  BitMask band;     // nearer to the outline than that, on either side
-  BitMask outside;  // not in the mark, further than the band from every pixel of it
-};
-
-// With a band of `band` px (chessboard distance) on either side. Beyond the window's border nothing is known, so the
-// border itself makes no outline.
-Depths depths(const Region& region, int band);
+// The box of the runs' shape, widened by `margin` px as far as the image reaches. `region` keeps its memory. Empty for
+// no runs.
+void make_region(RunSpan runs, const Shape& shape, int margin, int image_width, int image_height, Region& region);
 
 }  // namespace markservo::mark_detector

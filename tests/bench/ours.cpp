@@ -36,6 +36,9 @@ mark_detector::Parameters parameters_for(Scan scan) {
   mark_detector::Parameters parameters;
   switch (scan) {
     case Scan::kWholeImage:
+      parameters.full_scan_every = 1;
+      break;
+    case Scan::kTracked:
       break;
   }
   return parameters;
@@ -51,13 +54,11 @@ Ours::Ours(const std::vector<robot::MarkDescription>& marks, const geometry::Ste
 }
 
 Ours::Result Ours::run(const StereoPair& pair) {
-  Result result;
-  result.detection = detect(pair);
-  result.locations = locate(result.detection);
-  return result;
+  const mark_detector::Output& detection = detect(pair);
+  return {detection, locate(detection)};
 }
 
-mark_detector::Output Ours::detect(const StereoPair& pair) {
+const mark_detector::Output& Ours::detect(const StereoPair& pair) {
   mark_detector::Input input;
   input.left = view_of(pair.left);
   input.right = view_of(pair.right);
@@ -82,15 +83,23 @@ std::vector<target_locator::Location> Ours::locate(const mark_detector::Output& 
 mark_detector::LumaShift Ours::equalise(const StereoPair& pair) const {
   mark_detector::LumaHistogram histogram{};
   const int step = std::max(1, pair.left.rows / parameters_.histogram_rows);
-  mark_detector::accumulate(view_of(pair.left), histogram, step);
-  mark_detector::accumulate(view_of(pair.right), histogram, step);
+  mark_detector::accumulate(view_of(pair.left), histogram, step, parameters_.histogram_blocks);
+  mark_detector::accumulate(view_of(pair.right), histogram, step, parameters_.histogram_blocks);
   return mark_detector::against_darkness(mark_detector::equalising_shift(histogram));
 }
 
 void Ours::classify(const StereoPair& pair, const mark_detector::LumaShift& shift) {
-  const std::vector<mark_detector::FrameRule> rules = mark_detector::frame_rules(rules_, shift);
-  mark_detector::classify(view_of(pair.left), shift, rules, left_masks_);
-  mark_detector::classify(view_of(pair.right), shift, rules, right_masks_);
+  mark_detector::frame_rules(rules_, shift, frame_rules_);
+  for (const auto& [image, masks] :
+       {std::pair(view_of(pair.left), &left_masks_), std::pair(view_of(pair.right), &right_masks_)}) {
+    mark_detector::ScanRules rules;
+    masks->resize(rules_.size());
+    for (std::size_t i = 0; i < rules_.size(); ++i) {
+      (*masks)[i].reset(image.width, image.height);
+      rules.add(frame_rules_[i], (*masks)[i]);
+    }
+    mark_detector::scan(image, mark_detector::whole_image(image), shift, rules);
+  }
 }
 
 std::size_t Ours::label() {
@@ -98,8 +107,10 @@ std::size_t Ours::label() {
   parameters.min_area = parameters_.min_area;
   std::size_t count = 0;
   for (const auto* const masks : {&left_masks_, &right_masks_}) {
-    for (const mark_detector::BitMask& mask : *masks) {
-      count += mark_detector::find_blobs(mark_detector::majority3(mask), parameters).blobs.size();
+    for (const imaging::BitMask& mask : *masks) {
+      filter_.apply(mask, clean_);
+      finder_.find(clean_, parameters, blobs_);
+      count += blobs_.blobs.size();
     }
   }
   return count;

@@ -13,12 +13,12 @@
 
 namespace markservo::bench {
 
-enum class Scan { kWholeImage };
+enum class Scan { kWholeImage, kTracked };
 
 class Ours {
  public:
   struct Result {
-    mark_detector::Output detection;
+    const mark_detector::Output& detection;           // until the next run
     std::vector<target_locator::Location> locations;  // one a mark
   };
 
@@ -27,7 +27,7 @@ class Ours {
   // The whole chain.
   Result run(const StereoPair& pair);
   // Its two services.
-  mark_detector::Output detect(const StereoPair& pair);
+  const mark_detector::Output& detect(const StereoPair& pair);
   std::vector<target_locator::Location> locate(const mark_detector::Output& detection) const;
 
   // The detector's parts, with what each needs from the one before it.
@@ -43,8 +43,13 @@ class Ours {
   mark_detector::State state_;
   target_locator::LocatorParameters locator_;
   std::vector<mark_detector::ColourRule> rules_;
-  std::vector<mark_detector::BitMask> left_masks_;
-  std::vector<mark_detector::BitMask> right_masks_;
+  std::vector<mark_detector::FrameRule> frame_rules_;
+  mark_detector::MajorityFilter filter_;
+  mark_detector::BlobFinder finder_;
+  mark_detector::BlobList blobs_;
+  imaging::BitMask clean_;
+  std::vector<imaging::BitMask> left_masks_;
+  std::vector<imaging::BitMask> right_masks_;
 };
 
 }  // namespace markservo::bench

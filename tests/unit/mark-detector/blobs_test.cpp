@@ -63,7 +63,7 @@ TEST(Blobs, AreOpenCvsComponentsWithItsMoments) {
         const BlobList list = find_blobs(mask_of(binary), parameters);
         ASSERT_EQ(static_cast<int>(list.blobs.size()), n - 1);
         for (const Blob& blob : list.blobs) {
-          const PixelRun& first = blob.runs.front();
+          const PixelRun& first = list.runs_of(blob).front();
           const int label = labels.at<int>(first.v, first.begin);
           EXPECT_EQ(blob.shape.x, stats.at<int>(label, cv::CC_STAT_LEFT));
           EXPECT_EQ(blob.shape.y, stats.at<int>(label, cv::CC_STAT_TOP));
@@ -112,32 +112,42 @@ TEST(Blobs, AreBoundedInNumber) {
 TEST(Blobs, OfNothingAreNone) {
   EXPECT_TRUE(find_blobs(BitMask(), {}).blobs.empty());
   EXPECT_TRUE(find_blobs(BitMask(70, 3), {}).blobs.empty());
-  EXPECT_EQ(shape_of({}).area, 0.0);
+  EXPECT_EQ(shape_of(RunSpan()).area, 0.0);
+}
+
+std::vector<PixelRun> filled(const BlobList& list, const Blob& blob, int64_t max_hole) {
+  std::vector<PixelRun> runs;
+  HoleFiller().fill(list.runs_of(blob), max_hole, runs);
+  return runs;
 }
 
 TEST(Holes, AreFilledUpToTheLimit) {
   const BitMask mask = mask_of({"########", "#.#...##", "###...##", "########", "#.######"});
-  const Blob blob = find_blobs(mask, {}).blobs.at(0);
+  const BlobList list = find_blobs(mask, {});
+  const Blob blob = list.blobs.at(0);
   EXPECT_EQ(blob.shape.area, 32.0);
-  EXPECT_EQ(shape_of(fill_holes(blob, 0)).area, 32.0);
-  EXPECT_EQ(shape_of(fill_holes(blob, 5)).area, 33.0);
-  const std::vector<PixelRun> all = fill_holes(blob, 6);
+  EXPECT_EQ(shape_of(filled(list, blob, 0)).area, 32.0);
+  EXPECT_EQ(shape_of(filled(list, blob, 5)).area, 33.0);
+  const std::vector<PixelRun> all = filled(list, blob, 6);
   EXPECT_EQ(shape_of(all).area, 39.0) << "the notch at the bottom is no hole";
   EXPECT_EQ(all.size(), 6U) << "runs are joined";
 }
 
 TEST(Holes, DoNotLeakOverCorners) {
   const BitMask mask = mask_of({".##.", "#..#", ".##.", "...."});
-  const Blob blob = find_blobs(mask, {}).blobs.at(0);
-  EXPECT_EQ(shape_of(fill_holes(blob, 2)).area, 8.0);
+  const BlobList list = find_blobs(mask, {});
+  const Blob blob = list.blobs.at(0);
+  EXPECT_EQ(shape_of(filled(list, blob, 2)).area, 8.0);
 }
 
 TEST(Merge, TakesAllBlobsAsOne) {
-  const Blob all = merge(find_blobs(mask_of({"##..#", ".....", "#...#"}), {}).blobs);
-  EXPECT_EQ(all.shape.area, 5.0);
-  EXPECT_EQ(all.shape.width, 5);
-  EXPECT_EQ(all.shape.height, 3);
-  EXPECT_TRUE(std::is_sorted(all.runs.begin(), all.runs.end(), [](const PixelRun& a, const PixelRun& b) {
+  std::vector<PixelRun> runs;
+  merge(find_blobs(mask_of({"##..#", ".....", "#...#"}), {}), runs);
+  const Shape all = shape_of(runs);
+  EXPECT_EQ(all.area, 5.0);
+  EXPECT_EQ(all.width, 5);
+  EXPECT_EQ(all.height, 3);
+  EXPECT_TRUE(std::is_sorted(runs.begin(), runs.end(), [](const PixelRun& a, const PixelRun& b) {
     return a.v != b.v ? a.v < b.v : a.begin < b.begin;
   }));
 }

@@ -8,7 +8,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "services/mark-detector/colour_kernel.hpp"
+#include "services/mark-detector/colour_scan.hpp"
 
 namespace markservo::mark_detector {
 namespace {
@@ -123,9 +123,15 @@ TEST(ColourClassifier, GivesTheSameBitsPixelByPixelAndByRows) {
   const LumaShift shift = equalising_shift(histogram);
   const std::vector<ColourRule> rules = {make_rule({345.0, 15.0, 0.3, 1.0, 0.2, 1.0}, 10),
                                          make_rule({30.0, 300.0, 0.1, 0.9, 0.1, 0.9}, 0)};
-  std::vector<BitMask> masks;
-  classify(image, shift, frame_rules(rules, shift), masks);
-  ASSERT_EQ(masks.size(), rules.size());
+  std::vector<FrameRule> for_frame;
+  frame_rules(rules, shift, for_frame);
+  std::vector<BitMask> masks(rules.size());
+  ScanRules scanned;
+  for (std::size_t k = 0; k < rules.size(); ++k) {
+    masks[k].reset(kWidth, kHeight);
+    scanned.add(for_frame[k], masks[k]);
+  }
+  scan(image, whole_image(image), shift, scanned);
   for (std::size_t k = 0; k < rules.size(); ++k) {
     EXPECT_GT(masks[k].count(), 20);
     for (int v = 0; v < kHeight; ++v) {

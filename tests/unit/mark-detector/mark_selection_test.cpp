@@ -9,8 +9,9 @@ namespace {
 
 Blob box(int x, int y, int width, int height) {
   Blob blob;
-  for (int v = y; v < y + height; ++v) blob.runs.push_back({v, x, x + width});
-  blob.shape = shape_of(blob.runs);
+  std::vector<PixelRun> runs;
+  for (int v = y; v < y + height; ++v) runs.push_back({v, x, x + width});
+  blob.shape = shape_of(runs);
   return blob;
 }
 

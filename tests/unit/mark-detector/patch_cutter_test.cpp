@@ -11,6 +11,13 @@
 namespace markservo::mark_detector {
 namespace {
 
+std::vector<int> plan_scales(const std::vector<PatchRequest>& requests, const PatchParameters& parameters, int width,
+                             int height) {
+  PatchPlan plan;
+  mark_detector::plan_scales(requests, parameters, width, height, plan);
+  return plan.scales;
+}
+
 Shape box(int x, int y, int width, int height) {
   Shape shape;
   shape.x = x;
@@ -87,6 +94,18 @@ TEST(PatchPlan, GivesNoneWhereNothingFits) {
   EXPECT_EQ(plan_scales({{box(0, 0, 9, 9), box(0, 0, 9, 9)}}, parameters, 20, 20), std::vector<int>{0});
 }
 
+Patch cut_patch(const ImageView& image, const Region& mark, const PatchFrame& frame) {
+  Patch patch;
+  mark_detector::cut_patch(image, mark, frame, patch);
+  return patch;
+}
+
+Region region_of(const std::vector<PixelRun>& runs, int width, int height) {
+  Region region;
+  make_region(runs, shape_of(runs), 1, width, height, region);
+  return region;
+}
+
 TEST(Patch, IsTheAreaAverageOfTheImage) {
   cv::Mat image(60, 90, CV_8UC3);
   cv::RNG random(5);
@@ -104,7 +123,7 @@ TEST(Patch, IsTheAreaAverageOfTheImage) {
 
 TEST(Patch, HasTheMaskAsBitsWithRowsOfWholeBytes) {
   const cv::Mat image(20, 40, CV_8UC3, cv::Scalar::all(9));
-  const Region mark = make_region({{6, 10, 20}, {7, 10, 20}}, 1, 40, 20);
+  const Region mark = region_of({{6, 10, 20}, {7, 10, 20}}, 40, 20);
   const Patch patch = cut_patch(view_of(image), mark, {5, 5, 1, 18, 4});
   ASSERT_EQ(patch.mask.size(), 4U * 3U);
   for (std::size_t j = 0; j < 4; ++j) {
@@ -118,7 +137,7 @@ TEST(Patch, HasTheMaskAsBitsWithRowsOfWholeBytes) {
 
 TEST(Patch, TakesAPixelThatIsHalfMarkAsMark) {
   const cv::Mat image(8, 8, CV_8UC3, cv::Scalar::all(9));
-  const Region mark = make_region({{2, 2, 4}, {4, 2, 3}}, 1, 8, 8);
+  const Region mark = region_of({{2, 2, 4}, {4, 2, 3}}, 8, 8);
   const Patch patch = cut_patch(view_of(image), mark, {2, 2, 2, 1, 2});
   EXPECT_EQ(patch.mask, (std::vector<uint8_t>{1, 0}));
 }

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace markservo::mark_detector {
+namespace markservo::imaging {
 
 class BitMask {
  public:
@@ -14,18 +14,24 @@ class BitMask {
 
   BitMask() = default;
   // All clear. Sizes of 0 or more.
-  BitMask(int width, int height);
-  // Another size, all clear; as it is when the size is the same.
-  void resize(int width, int height) {
-    if (width != width_ || height != height_) *this = BitMask(width, height);
-  }
+  BitMask(int width, int height) { reset(width, height); }
+  // All clear, of that size; memory is kept, and only rows in use are cleared when the size is the same.
+  void reset(int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }
   int words_per_row() const { return words_per_row_; }
 
-  uint64_t* row(int v) { return words_.data() + offset(v); }
+  // From here on the row counts as in use, until it is declared empty.
+  uint64_t* row(int v) {
+    used_[static_cast<std::size_t>(v)] = 1;
+    return words_.data() + offset(v);
+  }
   const uint64_t* row(int v) const { return words_.data() + offset(v); }
+  // What was written to row v is all clear.
+  void declare_empty(int v) { used_[static_cast<std::size_t>(v)] = 0; }
+  // True only if nothing is set in row v; a row that was written may be empty all the same.
+  bool surely_empty(int v) const { return used_[static_cast<std::size_t>(v)] == 0; }
 
   bool test(int u, int v) const { return (row(v)[u / kWordBits] >> (u % kWordBits)) & 1U; }
   void set(int u, int v, bool value) {
@@ -36,7 +42,6 @@ class BitMask {
   // Sets the pixels [begin, end) of row v.
   void set_run(int v, int begin, int end);
 
-  bool row_empty(int v) const;
   // First pixel at or after `u` in row v whose bit is `wanted`, or the width.
   int next(int v, int u, bool wanted) const;
   // The 64 pixels of row v from column u on, lowest bit first; zero beyond the mask, on every side.
@@ -56,16 +61,23 @@ class BitMask {
   int height_ = 0;
   int words_per_row_ = 0;
   std::vector<uint64_t> words_;
+  std::vector<uint8_t> used_;  // of each row
 };
 
-// 3 x 3 majority: a pixel is set if at least 5 of the 9 around it are; outside the image the border repeats. Takes away
-// lone pixels and fills single holes, and leaves straight edges where they are.
-BitMask majority3(const BitMask& mask);
+// The lowest n bits, 0 or more; all from 64 on.
+inline uint64_t low_bits(int n) {
+  return n >= BitMask::kWordBits ? ~uint64_t{0} : (uint64_t{1} << n) - 1;
+}
 
-// Every pixel within `reach`, 0 or more, of a set one along rows and columns (a square around each).
-BitMask dilate(const BitMask& mask, int reach);
+// Every pixel within `reach`, 0 or more, of a set one along rows and columns (a square around each). `result` keeps its
+// memory.
+void dilate(const BitMask& mask, int reach, BitMask& result);
 
-// What is not set.
-BitMask complement(const BitMask& mask);
+// The pixels further than `reach`, 0 or more, along rows and columns from every pixel that is not set; beyond the mask
+// nothing is.
+void erode(const BitMask& mask, int reach, BitMask& result);
 
-}  // namespace markservo::mark_detector
+// Sets what is not set and clears what is.
+void complement(BitMask& mask);
+
+}  // namespace markservo::imaging

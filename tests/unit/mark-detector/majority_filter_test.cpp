@@ -1,10 +1,9 @@
-#include "services/mark-detector/bit_mask.hpp"
+#include "services/mark-detector/majority_filter.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
-#include <vector>
 
 namespace markservo::mark_detector {
 namespace {
@@ -29,26 +28,10 @@ bool majority_at(const BitMask& mask, int u, int v) {
   return n >= 5;
 }
 
-TEST(BitMask, KeepsWhatWasSetAtAnyWidth) {
-  for (const int width : {1, 7, 8, 63, 64, 65, 130}) {
-    BitMask mask(width, 2);
-    for (int u = 0; u < width; ++u) mask.set(u, 1, u % 3 == 0);
-    for (int u = 0; u < width; ++u) {
-      EXPECT_FALSE(mask.test(u, 0));
-      EXPECT_EQ(mask.test(u, 1), u % 3 == 0) << width << " " << u;
-    }
-    EXPECT_EQ(mask.count(), (width + 2) / 3);
-  }
-}
-
-TEST(BitMask, SetsRunsAcrossWords) {
-  BitMask mask(200, 1);
-  mask.set_run(0, 60, 131);
-  EXPECT_EQ(mask.count(), 71);
-  EXPECT_FALSE(mask.test(59, 0));
-  EXPECT_TRUE(mask.test(60, 0));
-  EXPECT_TRUE(mask.test(130, 0));
-  EXPECT_FALSE(mask.test(131, 0));
+BitMask majority3(const BitMask& mask) {
+  BitMask result;
+  MajorityFilter().apply(mask, result);
+  return result;
 }
 
 TEST(Majority, IsTheCountOfNineWithARepeatedBorder) {
@@ -68,6 +51,15 @@ TEST(Majority, IsTheCountOfNineWithARepeatedBorder) {
       }
     }
   }
+}
+
+TEST(Majority, ForgetsTheMaskBefore) {
+  MajorityFilter filter;
+  BitMask result;
+  filter.apply(random_mask(130, 20, 0.5, 1), result);
+  const BitMask mask = random_mask(130, 20, 0.1, 2);
+  filter.apply(mask, result);
+  EXPECT_EQ(result, majority3(mask));
 }
 
 TEST(Majority, TakesLonePixelsAwayAndFillsSingleHoles) {
