@@ -1,6 +1,7 @@
 #include "common/imaging/bit_mask.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace markservo::imaging {
 namespace {
@@ -34,43 +35,57 @@ void spread_along(uint64_t* words, int count, int step, uint64_t last) {
   words[count - 1] &= last;
 }
 
+// a[i] = Operation of it and a[i + step]; beyond the end nothing is set.
 template <class Operation>
-void square(const BitMask& mask, int reach, BitMask& result) {
-  const int words = mask.words_per_row();
-  const int height = mask.height();
-  result.reset(mask.width(), height);
-  if (words == 0 || height == 0) return;
-  const uint64_t last = low_bits((mask.width() - 1) % BitMask::kWordBits + 1);
-  for (int v = 0; v < height; ++v) {
-    if (mask.surely_empty(v)) continue;
-    uint64_t* out = result.row(v);
-    std::copy_n(mask.row(v), words, out);
-    for (int done = 0, step = 0; done < reach; done += step) {
-      step = next_step(done, reach);
-      spread_along<Operation>(out, words, step, last);
-    }
-  }
-  // In place: down the rows each takes the one `step` below, then up the rows the one `step` above, which has taken it.
-  const auto combine = [&](int v, int other) {
-    const bool inside = other >= 0 && other < height && !result.surely_empty(other);
-    if (!inside && (result.surely_empty(v) || Operation::kGrows)) return;
-    uint64_t* out = result.row(v);
-    const uint64_t* in = inside ? result.row(other) : nullptr;
-    for (int i = 0; i < words; ++i) out[i] = Operation::of(out[i], in != nullptr ? in[i] : 0);
-  };
-  for (int done = 0, step = 0; done < reach; done += step) {
-    step = next_step(done, reach);
-    for (int v = 0; v < height; ++v) combine(v, v + step);
-    for (int v = height - 1; v >= 0; --v) combine(v, v - step);
-  }
+void combine_up(uint64_t* a, std::size_t count, std::size_t step) {
+  const std::size_t inside = count > step ? count - step : 0;
+  for (std::size_t i = 0; i < inside; ++i) a[i] = Operation::of(a[i], a[i + step]);
+  if (!Operation::kGrows) std::fill(a + inside, a + count, 0);
+}
+
+// a[i] = Operation of it and a[i - step].
+template <class Operation>
+void combine_down(uint64_t* a, std::size_t count, std::size_t step) {
+  for (std::size_t i = count; i > step; --i) a[i - 1] = Operation::of(a[i - 1], a[i - 1 - step]);
+  if (!Operation::kGrows) std::fill(a, a + std::min(step, count), 0);
 }
 
 }  // namespace
 
+// In place: along the rows, then down them each row takes the one `step` below, then up them the one `step` above,
+// which has taken it.
+template <class Operation>
+void BitMask::spread(const BitMask& mask, int reach) {
+  width_ = mask.width_;
+  height_ = mask.height_;
+  words_per_row_ = mask.words_per_row_;
+  words_ = mask.words_;
+  used_ = mask.used_;
+  if (words_.empty()) return;
+  const uint64_t last = low_bits((width_ - 1) % kWordBits + 1);
+  for (int done = 0, step = 0; done < reach; done += step) {
+    step = next_step(done, reach);
+    for (int v = 0; v < height_; ++v) {
+      if (!mask.surely_empty(v)) spread_along<Operation>(words_.data() + offset(v), words_per_row_, step, last);
+    }
+  }
+  for (int done = 0, step = 0; done < reach; done += step) {
+    step = next_step(done, reach);
+    const std::size_t words = static_cast<std::size_t>(step) * static_cast<std::size_t>(words_per_row_);
+    combine_up<Operation>(words_.data(), words_.size(), words);
+    combine_down<Operation>(words_.data(), words_.size(), words);
+  }
+  if (!Operation::kGrows) return;
+  for (int v = 0; v < height_; ++v) {
+    if (mask.surely_empty(v)) continue;
+    const int end = std::min(height_, v + reach + 1);
+    for (int near = std::max(0, v - reach); near < end; ++near) used_[static_cast<std::size_t>(near)] = 1;
+  }
+}
+
 void BitMask::reset(int width, int height) {
   if (width == width_ && height == height_) {
-    for (int v = 0; v < height_; ++v) {
-      if (surely_empty(v)) continue;
+    for (int v = next_used(0); v < height_; v = next_used(v + 1)) {
       std::fill_n(words_.data() + offset(v), words_per_row_, 0);
       declare_empty(v);
     }
@@ -81,6 +96,12 @@ void BitMask::reset(int width, int height) {
   words_per_row_ = (width + kWordBits - 1) / kWordBits;
   words_.assign(static_cast<std::size_t>(words_per_row_) * static_cast<std::size_t>(height), 0);
   used_.assign(static_cast<std::size_t>(height), 0);
+}
+
+int BitMask::next_used(int v) const {
+  if (v >= height_) return height_;
+  const void* found = std::memchr(used_.data() + v, 1, static_cast<std::size_t>(height_ - v));
+  return found == nullptr ? height_ : static_cast<int>(static_cast<const uint8_t*>(found) - used_.data());
 }
 
 void BitMask::set_run(int v, int begin, int end) {
@@ -122,11 +143,11 @@ int64_t BitMask::count() const {
 }
 
 void dilate(const BitMask& mask, int reach, BitMask& result) {
-  square<Union>(mask, reach, result);
+  result.spread<Union>(mask, reach);
 }
 
 void erode(const BitMask& mask, int reach, BitMask& result) {
-  square<Intersection>(mask, reach, result);
+  result.spread<Intersection>(mask, reach);
 }
 
 void complement(BitMask& mask) {
@@ -137,6 +158,32 @@ void complement(BitMask& mask) {
     uint64_t* row = mask.row(v);
     for (int i = 0; i < words; ++i) row[i] = ~row[i];
     row[words - 1] &= last;
+  }
+}
+
+void transpose(const BitMask& mask, BitMask& result) {
+  constexpr int kBits = BitMask::kWordBits;
+  result.reset(mask.height(), mask.width());
+  for (int top = 0; top < mask.height(); top += kBits) {
+    for (int word = 0; word < mask.words_per_row(); ++word) {
+      uint64_t block[kBits] = {};
+      uint64_t any = 0;
+      for (int v = 0; v < std::min(kBits, mask.height() - top); ++v) any |= block[v] = mask.row(top + v)[word];
+      if (any == 0) continue;
+      // Swaps the off-diagonal squares of ever smaller blocks (Warren, Hacker's Delight, 7-3).
+      uint64_t low = 0x00000000FFFFFFFF;
+      for (int j = kBits / 2; j != 0; j /= 2, low ^= low << j) {
+        for (int k = 0; k < kBits; k = ((k | j) + 1) & ~j) {
+          const uint64_t swapped = ((block[k] >> j) ^ block[k + j]) & low;
+          block[k] ^= swapped << j;
+          block[k + j] ^= swapped;
+        }
+      }
+      const int first = word * kBits;
+      for (int u = 0; u < std::min(kBits, mask.width() - first); ++u) {
+        if (block[u] != 0) result.row(first + u)[top / kBits] = block[u];
+      }
+    }
   }
 }
 

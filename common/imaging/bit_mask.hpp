@@ -8,6 +8,10 @@
 
 namespace markservo::imaging {
 
+class BitMask;
+void dilate(const BitMask& mask, int reach, BitMask& result);
+void erode(const BitMask& mask, int reach, BitMask& result);
+
 class BitMask {
  public:
   static constexpr int kWordBits = 64;
@@ -54,7 +58,16 @@ class BitMask {
     return width_ == other.width_ && height_ == other.height_ && words_ == other.words_;
   }
 
+  // First row at or after `v` that is in use, or the height.
+  int next_used(int v) const;
+
  private:
+  friend void dilate(const BitMask& mask, int reach, BitMask& result);
+  friend void erode(const BitMask& mask, int reach, BitMask& result);
+
+  template <class Operation>
+  void spread(const BitMask& mask, int reach);
+
   std::size_t offset(int v) const { return static_cast<std::size_t>(v) * static_cast<std::size_t>(words_per_row_); }
 
   int width_ = 0;
@@ -79,5 +92,8 @@ void erode(const BitMask& mask, int reach, BitMask& result);
 
 // Sets what is not set and clears what is.
 void complement(BitMask& mask);
+
+// Rows become columns. `result` keeps its memory.
+void transpose(const BitMask& mask, BitMask& result);
 
 }  // namespace markservo::imaging

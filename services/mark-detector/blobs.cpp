@@ -45,11 +45,13 @@ void LabelledRuns::label(const BitMask& mask, Connectivity connectivity) {
   const int reach = connectivity == Connectivity::kEight ? 1 : 0;
   std::size_t above_begin = 0;
   std::size_t above_end = 0;
-  for (int v = 0; v < mask.height(); ++v) {
+  int last_row = -1;
+  for (int v = mask.next_used(0); v < mask.height(); v = mask.next_used(v + 1)) {
+    if (v != last_row + 1) above_begin = above_end = runs.size();
+    last_row = v;
     const std::size_t row_begin = runs.size();
     std::size_t above = above_begin;
-    const int first = mask.surely_empty(v) ? mask.width() : mask.next(v, 0, true);
-    for (int begin = first; begin < mask.width();) {
+    for (int begin = mask.next(v, 0, true); begin < mask.width();) {
       const int end = mask.next(v, begin, false);
       const auto own = static_cast<int32_t>(runs.size());
       labels.push_back(own);

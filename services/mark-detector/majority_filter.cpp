@@ -47,13 +47,22 @@ void MajorityFilter::apply(const BitMask& mask, BitMask& result) {
   }
   const int words = mask.words_per_row();
   const uint64_t tail = imaging::low_bits((mask.width() - 1) % BitMask::kWordBits + 1);
-  sum_row(mask, 0, sums_[0]);
-  sum_row(mask, 0, sums_[1]);
-  for (int v = 0; v < mask.height(); ++v) {
+  const int height = mask.height();
+  int summed = -1;  // the row whose sum was made last
+  for (int v = 0; v < height; ++v) {
+    // Nothing comes of rows that are empty, as are those above and below them.
+    const int used = mask.next_used(std::max(0, v - 1));
+    if (used > v + 1) {
+      v = used - 2;
+      continue;
+    }
+    for (int row = std::max(summed + 1, v - 1); row <= v; ++row) sum_row(mask, std::max(row, 0), sums_[(row + 1) % 3]);
+    if (v == 0) sum_row(mask, 0, sums_[0]);
     const RowSum& above = sums_[v % 3];
     const RowSum& here = sums_[(v + 1) % 3];
     RowSum& below = sums_[(v + 2) % 3];
-    sum_row(mask, std::min(v + 1, mask.height() - 1), below);
+    sum_row(mask, std::min(v + 1, height - 1), below);
+    summed = v + 1;
     int begin = words;
     int end = 0;
     for (const RowSum* sum : {&above, &here, static_cast<const RowSum*>(&below)}) {

@@ -47,6 +47,50 @@ void copy_patch(const ImageView& image, const Region& mark, Patch& patch) {
   }
 }
 
+// How many pixels of the square of `side` px from (u, v) on are mark.
+int covered(const Region& mark, int u, int v, int side) {
+  int count = 0;
+  for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < side; i += BitMask::kWordBits) {
+      const uint64_t bits = mark.inside.window(u + i - mark.x, v + j - mark.y);
+      count += __builtin_popcountll(bits & imaging::low_bits(std::min(side - i, BitMask::kWordBits)));
+    }
+  }
+  return count;
+}
+
+// At a larger scale: averages, and pixels of which half or more is mark.
+void average_patch(const ImageView& image, const Region& mark, Patch& patch) {
+  const auto width = static_cast<std::size_t>(patch.width);
+  const auto scale = static_cast<std::size_t>(patch.scale);
+  const std::size_t row_bytes = 3 * width * scale;  // of the image
+  const std::size_t mask_stride = (width + 7) / 8;
+  const uint32_t n = static_cast<uint32_t>(scale * scale);
+  patch.column_sums.resize(row_bytes);
+  uint32_t* const columns = patch.column_sums.data();
+  for (int j = 0; j < patch.height; ++j) {
+    const int top = patch.y + j * patch.scale;
+    std::fill_n(columns, row_bytes, 0U);
+    for (int v = top; v < top + patch.scale; ++v) {
+      const uint8_t* p = image.pixel(patch.x, v);
+      for (std::size_t i = 0; i < row_bytes; ++i) columns[i] += p[i];
+    }
+    uint8_t* out = &patch.bgr[3 * width * static_cast<std::size_t>(j)];
+    uint8_t* bits = &patch.mask[mask_stride * static_cast<std::size_t>(j)];
+    const uint32_t* in = columns;
+    for (std::size_t i = 0; i < width; ++i, out += 3) {
+      uint32_t sums[3] = {n / 2, n / 2, n / 2};
+      for (std::size_t du = 0; du < scale; ++du, in += 3) {
+        for (std::size_t c = 0; c < 3; ++c) sums[c] += in[c];
+      }
+      for (std::size_t c = 0; c < 3; ++c) out[c] = static_cast<uint8_t>(sums[c] / n);
+      if (2 * covered(mark, patch.x + static_cast<int>(i * scale), top, patch.scale) >= static_cast<int>(n)) {
+        bits[i / 8] = static_cast<uint8_t>(bits[i / 8] | (1U << (i % 8)));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 PatchFrame frame_patch(const Shape& box, const PatchParameters& parameters, int scale, int image_width,
@@ -98,32 +142,8 @@ void cut_patch(const ImageView& image, const Region& mark, const PatchFrame& fra
   patch.mask.assign(mask_stride * height, 0);
   if (frame.scale == 1) {
     copy_patch(image, mark, patch);
-    return;
-  }
-  const int n = frame.scale * frame.scale;
-  std::vector<int> sums(width * 4);  // b, g, r, pixels of the mark
-  for (std::size_t j = 0; j < height; ++j) {
-    std::fill(sums.begin(), sums.end(), 0);
-    for (int dv = 0; dv < frame.scale; ++dv) {
-      const int v = frame.y + static_cast<int>(j) * frame.scale + dv;
-      const uint8_t* p = image.pixel(frame.x, v);
-      int u = frame.x;
-      for (std::size_t i = 0; i < width; ++i) {
-        for (int du = 0; du < frame.scale; ++du, ++u, p += 3) {
-          for (std::size_t c = 0; c < 3; ++c) sums[4 * i + c] += p[c];
-          sums[4 * i + 3] += mark.test(u, v) ? 1 : 0;
-        }
-      }
-    }
-    for (std::size_t i = 0; i < width; ++i) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        patch.bgr[3 * (j * width + i) + c] = static_cast<uint8_t>((sums[4 * i + c] + n / 2) / n);
-      }
-      if (2 * sums[4 * i + 3] >= n) {
-        uint8_t& byte = patch.mask[j * mask_stride + i / 8];
-        byte = static_cast<uint8_t>(byte | (1U << (i % 8)));
-      }
-    }
+  } else {
+    average_patch(image, mark, patch);
   }
 }
 

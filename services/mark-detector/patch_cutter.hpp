@@ -27,6 +27,7 @@ struct Patch {
   int height = 0;
   std::vector<uint8_t> bgr;
   std::vector<uint8_t> mask;  // a bit a patch pixel, rows padded to bytes, lowest bit first: half or more is mark
+  std::vector<uint32_t> column_sums;  // room for averaging
 };
 
 // Where a patch lies, before it is cut.

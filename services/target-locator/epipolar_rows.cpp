@@ -5,10 +5,10 @@
 
 namespace markservo::target_locator {
 
-PlaneImage align_rows(const PlaneImage& right, const PatchFrame& right_frame, const PatchFrame& left_frame,
-                      int left_height, double row_offset) {
-  PlaneImage aligned(right.width, left_height);
-  if (right.empty()) return aligned;
+void align_rows(const PlaneImage& right, const PatchFrame& right_frame, const PatchFrame& left_frame, int left_height,
+                double row_offset, PlaneImage& aligned) {
+  aligned.resize(right.width, left_height);
+  if (right.empty()) return;
   for (int y = 0; y < left_height; ++y) {
     const double position = right_frame.row_of(left_frame.v_of(y) + row_offset);
     const double clamped = std::clamp(position, -1.0, static_cast<double>(right.height));
@@ -28,6 +28,12 @@ PlaneImage align_rows(const PlaneImage& right, const PatchFrame& right_frame, co
     const float* p3 = line(whole + 2);
     for (int x = 0; x < right.width; ++x) out[x] = c.w[0] * p0[x] + c.w[1] * p1[x] + c.w[2] * p2[x] + c.w[3] * p3[x];
   }
+}
+
+PlaneImage align_rows(const PlaneImage& right, const PatchFrame& right_frame, const PatchFrame& left_frame,
+                      int left_height, double row_offset) {
+  PlaneImage aligned;
+  align_rows(right, right_frame, left_frame, left_height, row_offset, aligned);
   return aligned;
 }
 

@@ -32,6 +32,9 @@ inline float sample_cubic(const float* line, int width, float x) {
 // The right image resampled so that its row r shows what the left image's row r shows: the rows of a rectified pair are
 // epipolar lines, but the patches may start at different rows and be averaged by different scales. `row_offset` (image
 // px) is what a right point lies lower than its left one. Columns stay as they are; rows outside repeat the border.
+// `aligned` keeps its memory.
+void align_rows(const PlaneImage& right, const PatchFrame& right_frame, const PatchFrame& left_frame, int left_height,
+                double row_offset, PlaneImage& aligned);
 PlaneImage align_rows(const PlaneImage& right, const PatchFrame& right_frame, const PatchFrame& left_frame,
                       int left_height, double row_offset);
 

@@ -4,71 +4,88 @@
 #include <cmath>
 #include <utility>
 
+#include "services/target-locator/tensor_kernel.hpp"
+
 namespace markservo::target_locator {
 namespace {
 
-// A candidate with ties broken by position, so that the choice is the same everywhere.
+// Ties are broken by position, so that the choice is the same everywhere.
 bool stronger(const Feature& a, const Feature& b) {
   if (a.weight != b.weight) return a.weight > b.weight;
   if (a.row != b.row) return a.row < b.row;
   return a.column < b.column;
 }
 
-bool is_local_maximum(const PlaneImage& weight, int x, int y) {
-  constexpr int kAround[][2] = {{-1, 0}, {1, 0},  {-1, -1}, {0, -1},
-                                {1, -1}, {-1, 1}, {0, 1},   {1, 1}};  // near in memory first
-  const float value = weight.at(x, y);
-  for (const auto& [dx, dy] : kAround) {
-    const int nx = x + dx;
-    const int ny = y + dy;
-    if (nx < 0 || ny < 0 || nx >= weight.width || ny >= weight.height) continue;
-    const float other = weight.at(nx, ny);
-    // On a plateau the first pixel in reading order stands for it.
-    const bool before = dy < 0 || (dy == 0 && dx < 0);
-    if (other > value || (before && other == value)) return false;
+// Brings the `count` strongest from `first` on to the front of what is there.
+void strongest_first(std::vector<Feature>& features, std::size_t first, std::size_t count) {
+  if (first + count >= features.size()) return;
+  const auto begin = features.begin() + static_cast<std::ptrdiff_t>(first);
+  std::nth_element(begin, begin + static_cast<std::ptrdiff_t>(count), features.end(), stronger);
+}
+
+// The strongest of every cell of a grid to the front; their number.
+std::size_t best_of_cells_first(std::vector<Feature>& features, double cell, int width, int height) {
+  const int across = static_cast<int>(width / cell) + 1;
+  const int down = static_cast<int>(height / cell) + 1;
+  constexpr int kNone = -1;
+  std::vector<int> best(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), kNone);
+  const auto cell_of = [&](const Feature& feature) {
+    return static_cast<std::size_t>(feature.row / cell) * static_cast<std::size_t>(across) +
+           static_cast<std::size_t>(feature.column / cell);
+  };
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    int& chosen = best[cell_of(features[i])];
+    if (chosen == kNone || stronger(features[i], features[static_cast<std::size_t>(chosen)])) {
+      chosen = static_cast<int>(i);
+    }
   }
-  return true;
+  std::sort(best.begin(), best.end());
+  std::size_t count = 0;
+  for (const int i : best) {
+    // In rising order, so that what is moved has not been chosen.
+    if (i != kNone) std::swap(features[count++], features[static_cast<std::size_t>(i)]);
+  }
+  return count;
 }
 
 }  // namespace
 
-std::vector<Feature> find_features(const CornerMeasures& measures, const Mask& mask,
-                                   const FeatureParameters& parameters) {
-  std::vector<Feature> candidates;
-  std::size_t area = 0;
-  for (int y = 0; y < mask.height; ++y) {
-    const unsigned char* inside = mask.row(y);
-    const float* weight = measures.weight.row(y);
-    const float* roundness = measures.roundness.row(y);
-    for (int x = 0; x < mask.width; ++x) {
-      if (inside[x] == 0) continue;
-      ++area;
-      if (!(weight[x] >= parameters.min_weight) || !(roundness[x] >= parameters.min_roundness)) continue;
-      if (is_local_maximum(measures.weight, x, y)) candidates.push_back({x, y, weight[x]});
+void find_features(const CornerMeasures& measures, const Mask& mask, const FeatureParameters& parameters,
+                   std::vector<Feature>& features) {
+  features.clear();
+  std::vector<std::uint64_t> maxima(static_cast<std::size_t>(mask.words_per_row()));
+  for (int y = 0; y < mask.height(); ++y) {
+    if (mask.surely_empty(y)) continue;
+    find_maxima(measures, y, parameters.min_weight, parameters.min_roundness, mask.row(y), maxima.data());
+    for (std::size_t i = 0; i < maxima.size(); ++i) {
+      for (std::uint64_t bits = maxima[i]; bits != 0; bits &= bits - 1) {
+        const int x = static_cast<int>(i) * Mask::kWordBits + __builtin_ctzll(bits);
+        features.push_back({x, y, measures.weight.at(x, y)});
+      }
     }
   }
   const auto wanted = static_cast<std::size_t>(std::max(parameters.max_features, 0));
-  std::sort(candidates.begin(), candidates.end(), stronger);
-  if (candidates.size() > wanted && wanted > 0) {
-    const double cell = std::max(2.0, std::sqrt(static_cast<double>(area) / static_cast<double>(wanted)));
-    const int across = static_cast<int>(mask.width / cell) + 1;
-    const int down = static_cast<int>(mask.height / cell) + 1;
-    Mask taken(across, down);
-    std::vector<Feature> first_of_cell;
-    std::vector<Feature> rest;
-    for (const Feature& feature : candidates) {
-      unsigned char& cell_taken =
-          taken.at(static_cast<int>(feature.column / cell), static_cast<int>(feature.row / cell));
-      (cell_taken == 0 ? first_of_cell : rest).push_back(feature);
-      cell_taken = 1;
+  if (features.size() > wanted && wanted > 0) {
+    const auto area = static_cast<double>(mask.count());
+    const double cell = std::max(2.0, std::sqrt(area / static_cast<double>(wanted)));
+    const std::size_t spread = best_of_cells_first(features, cell, mask.width(), mask.height());
+    if (spread < wanted) {
+      strongest_first(features, spread, wanted - spread);
+    } else {
+      features.resize(spread);
+      strongest_first(features, 0, wanted);
     }
-    first_of_cell.insert(first_of_cell.end(), rest.begin(), rest.end());
-    candidates = std::move(first_of_cell);
   }
-  candidates.resize(std::min(candidates.size(), wanted));
-  std::sort(candidates.begin(), candidates.end(),
+  features.resize(std::min(features.size(), wanted));
+  std::sort(features.begin(), features.end(),
             [](const Feature& a, const Feature& b) { return a.row != b.row ? a.row < b.row : a.column < b.column; });
-  return candidates;
+}
+
+std::vector<Feature> find_features(const CornerMeasures& measures, const Mask& mask,
+                                   const FeatureParameters& parameters) {
+  std::vector<Feature> features;
+  find_features(measures, mask, parameters, features);
+  return features;
 }
 
 }  // namespace markservo::target_locator

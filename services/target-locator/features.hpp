@@ -24,6 +24,9 @@ struct FeatureParameters {
 // Local maxima (3 x 3) of W among the pixels of `mask` where W and C are large enough, at most `max_features`: the
 // strongest of every cell of a grid over the mask first, so that they spread, then the strongest of the rest.
 // Ordered by row, then column.
+// `features` keeps its memory.
+void find_features(const CornerMeasures& measures, const Mask& mask, const FeatureParameters& parameters,
+                   std::vector<Feature>& features);
 std::vector<Feature> find_features(const CornerMeasures& measures, const Mask& mask,
                                    const FeatureParameters& parameters);
 

@@ -25,11 +25,10 @@ std::optional<MaskSums> sum_over_mask(const Mask& mask, const PatchFrame& frame,
   // A right pixel's disparity is the plane's at u_left = u_right + disparity, solved for the disparity.
   const double stretch = side == CameraSide::kLeft ? 1.0 : 1.0 / (1.0 - plane.along_u);
   MaskSums sums;
-  for (int y = 0; y < mask.height; ++y) {
-    const unsigned char* inside = mask.row(y);
+  for (int y = 0; y < mask.height(); ++y) {
+    if (mask.surely_empty(y)) continue;
     const double v = frame.v_of(y);
-    for (int x = 0; x < mask.width; ++x) {
-      if (inside[x] == 0) continue;
+    for (int x = mask.next(y, 0, true); x < mask.width(); x = mask.next(y, x + 1, true)) {
       const double u = frame.u_of(x);
       const double disparity = plane.at(u, v) * stretch - shift;
       if (!(disparity > 0.0)) return std::nullopt;
@@ -101,7 +100,7 @@ std::optional<CentreEstimate> fuse_centres(const std::optional<ImageCentre>& lef
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
   double chi_square = 0.0;
-  const auto add = [&](const Eigen::MatrixXd& rows, const Eigen::VectorXd& value, const Eigen::MatrixXd& weight) {
+  const auto add = [&](const auto& rows, const auto& value, const auto& weight) {
     information += rows.transpose() * weight * rows;
     right_side += rows.transpose() * weight * value;
   };
@@ -117,10 +116,10 @@ std::optional<CentreEstimate> fuse_centres(const std::optional<ImageCentre>& lef
   Eigen::Matrix<double, 2, 3> right_rows;
   right_rows << 1.0, 0.0, -1.0, 0.0, 1.0, 0.0;
   Eigen::Vector2d right_position = Eigen::Vector2d::Zero();
-  if (left) add(left_rows, left->position, left->covariance.inverse());
+  if (left) add(left_rows, left->position, Eigen::Matrix2d(left->covariance.inverse()));
   if (right) {
     right_position = right->position - Eigen::Vector2d(0.0, alignment.row_offset);
-    add(right_rows, right_position, right->covariance.inverse());
+    add(right_rows, right_position, Eigen::Matrix2d(right->covariance.inverse()));
   }
   const Eigen::Matrix3d covariance = information.inverse();
   if (!covariance.allFinite()) return std::nullopt;

@@ -11,17 +11,8 @@
 namespace markservo::target_locator {
 namespace {
 
-constexpr int kMaskMargin = 2;         // patch px at the outline that may show the background
 constexpr double kLargestSlope = 0.4;  // px of disparity per px that boxes are believed about
 constexpr int kSmallestPatch = 8;      // patch px along each axis
-
-// Everything both methods need of one mark.
-struct Views {
-  StereoPatch patch;
-  Mask left_mask;
-  Mask right_mask;
-  std::vector<Feature> features;
-};
 
 bool usable(const View& view) {
   const PatchFrame& frame = view.patch.frame;
@@ -40,21 +31,24 @@ bool boxes_agree(const MarkObservation& observation, const geometry::StereoCamer
   return (left.centre_u() - camera.cx_left) - (right.centre_u() - camera.cx_right) > 0.0;
 }
 
-Views prepare(const MarkObservation& observation, const LocatorParameters& parameters) {
-  Views views;
-  views.left_mask = unpack_mask(observation.left.patch);
-  views.right_mask = unpack_mask(observation.right.patch);
-  const Eigen::Vector3f axis = texture_axis(observation.left.patch, views.left_mask);
-  StereoPatch& patch = views.patch;
-  patch.left = project_colours(observation.left.patch, axis);
-  patch.right = project_colours(observation.right.patch, axis);
-  patch.left_frame = observation.left.patch.frame;
-  patch.right_frame = observation.right.patch.frame;
-  patch.left_gradients = sobel_gradients(patch.left);
-  patch.right_rows = align_rows(patch.right, patch.right_frame, patch.left_frame, patch.left.height, 0.0);
-  const CornerMeasures measures = foerstner(patch.left_gradients, parameters.features.trace_floor);
-  views.features = find_features(measures, erode(views.left_mask, kMaskMargin), parameters.features);
-  return views;
+// Everything both methods need of one mark.
+void prepare(const MarkObservation& observation, const LocatorParameters& parameters, LocatorWorkspace& work) {
+  const Patch& left = observation.left.patch;
+  const Patch& right = observation.right.patch;
+  prepare_masks(left, work.left);
+  prepare_masks(right, work.right);
+  work.left_colours = mark_colours(left, work.left);
+  work.right_colours = mark_colours(right, work.right);
+  const ColourMap axis = texture_axis(work.left_colours.inside);
+  StereoPatch& patch = work.patch;
+  project_colours(left, axis, patch.left);
+  project_colours(right, axis, patch.right);
+  patch.left_frame = left.frame;
+  patch.right_frame = right.frame;
+  sobel_gradients(patch.left, false, patch.left_gradients);
+  align_rows(patch.right, patch.right_frame, patch.left_frame, patch.left.height, 0.0, patch.right_rows);
+  foerstner(patch.left_gradients, parameters.features.trace_floor, work.measures);
+  find_features(work.measures, work.left.inner, parameters.features, work.features);
 }
 
 DisparityPlane plane_of_boxes(const View& left, const View& right) {
@@ -77,19 +71,19 @@ double plane_misfit(std::vector<double> squared_scores) {
 }
 
 // The centre in one image, from the outline if it is whole, else from the mask; with what is missing in its covariance.
-std::optional<ImageCentre> image_centre(const View& view, const Mask& mask, const DisparityPlane& plane,
-                                        const geometry::StereoCamera& camera, CameraSide side, double size,
-                                        const LocatorParameters& parameters) {
+std::optional<ImageCentre> image_centre(const View& view, const Mask& mask, const MarkColours& colours,
+                                        const DisparityPlane& plane, const geometry::StereoCamera& camera,
+                                        CameraSide side, double size, const LocatorParameters& parameters,
+                                        PlaneImage& contrast_plane) {
   const Patch& patch = view.patch;
   const double disparity = plane.at(plane.u0, plane.v0) - (camera.cx_left - camera.cx_right);
   const double extent = size > 0.0 ? size * disparity / camera.baseline : 0.5 * (view.width + view.height);  // px
   double missing = 0.0;  // of the square's edge, relative
   std::optional<SquareOutline> outline;
-  const Contrast contrast = mark_contrast(patch, mask);
+  const Contrast contrast = mark_contrast(colours);
   if (contrast.valid) {
-    PlaneImage plane_image = project_colours(patch, contrast.weights);
-    for (float& value : plane_image.data) value += contrast.offset;
-    outline = fit_square(plane_image, mask, patch.frame, parameters.outline);
+    project_colours(patch, contrast.map, contrast_plane);
+    outline = fit_square(contrast_plane, mask, patch.frame, parameters.outline);
   }
   std::optional<ImageCentre> centre;
   if (outline) {
@@ -118,18 +112,18 @@ std::optional<ImageCentre> image_centre(const View& view, const Mask& mask, cons
 
 // Where the direct alignment begins. The masks tell the plane to a pixel or so unless one of them is partly hidden;
 // then the boxes and a wide search do.
-PlaneSeed find_seed(const MarkObservation& observation, const Views& views, const Mask& inside,
-                    const LocatorParameters& parameters) {
+PlaneSeed find_seed(const MarkObservation& observation, LocatorWorkspace& work, const LocatorParameters& parameters) {
   constexpr double kNear = 2.0;   // px either way
   constexpr double kAlike = 0.8;  // correlation that needs no further search
-  const StereoPatch& patch = views.patch;
+  const StereoPatch& patch = work.patch;
+  PlaneTemplates& pixels = work.pixels;
   PlaneSeed best;
-  const auto of_masks = plane_of_masks(views.left_mask, patch.left_frame, views.right_mask, patch.right_frame);
-  if (of_masks) best = seed_plane(patch, inside, *of_masks, kNear, parameters.seed);
+  const auto of_masks = plane_of_masks(work.left.mask, patch.left_frame, work.right.mask, patch.right_frame);
+  if (of_masks) best = seed_plane(patch, pixels, *of_masks, kNear, parameters.seed);
   if (best.correlation >= kAlike) return best;
   const double reach = 0.25 * std::max(observation.left.width, observation.right.width);
   const auto consider = [&](const DisparityPlane& guess) {
-    const PlaneSeed seed = seed_plane(patch, inside, guess, reach, parameters.seed);
+    const PlaneSeed seed = seed_plane(patch, pixels, guess, reach, parameters.seed);
     if (seed.correlation > best.correlation) best = seed;
   };
   if (of_masks) consider(*of_masks);
@@ -138,20 +132,20 @@ PlaneSeed find_seed(const MarkObservation& observation, const Views& views, cons
 }
 
 Location locate_plane(const MarkObservation& observation, const geometry::StereoCamera& camera,
-                      const LocatorParameters& parameters, Views& views) {
+                      const LocatorParameters& parameters, LocatorWorkspace& work) {
   Location location;
   location.status = Status::kTooFewMatches;
-  if (static_cast<int>(views.features.size()) < parameters.min_matches) return location;
-  StereoPatch& patch = views.patch;
-  const Mask inside = erode(views.left_mask, kMaskMargin);
-  const PlaneSeed seed = find_seed(observation, views, inside, parameters);
-  auto alignment = align_plane(patch, inside, seed.plane, parameters.alignment);
+  if (static_cast<int>(work.features.size()) < parameters.min_matches) return location;
+  StereoPatch& patch = work.patch;
+  make_templates(patch, work.left.inner, parameters.alignment, work.pixels);
+  const PlaneSeed seed = find_seed(observation, work, parameters);
+  auto alignment = align_plane(patch, work.pixels, seed.plane, parameters.alignment);
   constexpr double kWorthResampling = 0.2;  // px of row offset beyond which its linear model is poor
   if (alignment && std::abs(alignment->row_offset) > kWorthResampling &&
       std::abs(alignment->row_offset) <= parameters.max_row_offset) {
     const double offset = alignment->row_offset;
-    patch.right_rows = align_rows(patch.right, patch.right_frame, patch.left_frame, patch.left.height, offset);
-    alignment = align_plane(patch, inside, alignment->plane, parameters.alignment);
+    align_rows(patch.right, patch.right_frame, patch.left_frame, patch.left.height, offset, patch.right_rows);
+    alignment = align_plane(patch, work.left.inner, alignment->plane, parameters.alignment);
     if (alignment) alignment->row_offset += offset;
   }
   if (!alignment || std::sqrt(alignment->covariance(0, 0)) > parameters.max_centre_sigma) return location;
@@ -163,11 +157,13 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
 
   const DisparityPlane& plane = alignment->plane;
   std::vector<double> squared_scores;
-  for (const Feature& feature : views.features) {
+  squared_scores.reserve(work.features.size());
+  location.matches.reserve(work.features.size());
+  for (const Feature& feature : work.features) {
     const double u = patch.left_frame.u_of(feature.column);
     const double v = patch.left_frame.v_of(feature.row);
     const double on_plane = plane.at(u, v);
-    const auto match = refine_match(patch, feature, {on_plane, plane.along_u, plane.along_v}, &views.left_mask,
+    const auto match = refine_match(patch, feature, {on_plane, plane.along_u, plane.along_v}, &work.left.mask,
                                     parameters.verification);
     if (!match) continue;
     const double residual = std::abs(match->local.disparity - on_plane);
@@ -181,16 +177,16 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
     location.status = contradict ? Status::kInconsistent : Status::kTooFewMatches;
     return location;
   }
-  if (found < parameters.min_agreeing * static_cast<double>(views.features.size())) {
+  if (found < parameters.min_agreeing * static_cast<double>(work.features.size())) {
     location.status = Status::kInconsistent;
     return location;
   }
   alignment->covariance *= plane_misfit(std::move(squared_scores));
 
-  const auto left =
-      image_centre(observation.left, views.left_mask, plane, camera, CameraSide::kLeft, observation.size, parameters);
-  const auto right = image_centre(observation.right, views.right_mask, plane, camera, CameraSide::kRight,
-                                  observation.size, parameters);
+  const auto left = image_centre(observation.left, work.left.mask, work.left_colours, plane, camera, CameraSide::kLeft,
+                                 observation.size, parameters, work.contrast);
+  const auto right = image_centre(observation.right, work.right.mask, work.right_colours, plane, camera,
+                                  CameraSide::kRight, observation.size, parameters, work.contrast);
   const auto centre = fuse_centres(left, right, *alignment, camera);
   if (!centre) {
     location.status = Status::kInconsistent;
@@ -204,7 +200,7 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
 }
 
 Location locate_free(const MarkObservation& observation, const geometry::StereoCamera& camera,
-                     const LocatorParameters& parameters, const Views& views) {
+                     const LocatorParameters& parameters, const LocatorWorkspace& work) {
   Location location;
   SearchParameters search = parameters.search;
   if (!(search.disparity_min < search.disparity_max)) {
@@ -213,13 +209,13 @@ Location locate_free(const MarkObservation& observation, const geometry::StereoC
     search.disparity_min = std::max(middle - reach, camera.cx_left - camera.cx_right + 1.0);
     search.disparity_max = middle + reach;
   }
-  for (const Feature& feature : views.features) {
-    const auto rough = search_match(views.patch, feature, search);
+  for (const Feature& feature : work.features) {
+    const auto rough = search_match(work.patch, feature, search);
     if (!rough) continue;
-    const auto match = refine_match(views.patch, feature, {*rough, 0.0, 0.0}, nullptr, parameters.free_refinement);
+    const auto match = refine_match(work.patch, feature, {*rough, 0.0, 0.0}, nullptr, parameters.free_refinement);
     if (!match) continue;
-    const double u = views.patch.left_frame.u_of(feature.column);
-    const double v = views.patch.left_frame.v_of(feature.row);
+    const double u = work.patch.left_frame.u_of(feature.column);
+    const double v = work.patch.left_frame.v_of(feature.row);
     location.matches.push_back({u, v, u - match->local.disparity, v, match->sigma});
   }
   const auto centre = centre_of_points(location.matches, camera);
@@ -232,10 +228,10 @@ Location locate_free(const MarkObservation& observation, const geometry::StereoC
 }
 
 Location locate_as_in_the_paper(const MarkObservation& observation, const geometry::StereoCamera& camera,
-                                const LocatorParameters& parameters, const Views& views) {
+                                const LocatorParameters& parameters, const LocatorWorkspace& work) {
   Location location;
-  const Gradients right = sobel_gradients(views.patch.right);
-  location.matches = match_as_in_the_paper(views.features, views.patch.left_gradients, right, observation.left,
+  const Gradients right = sobel_gradients(work.patch.right);
+  location.matches = match_as_in_the_paper(work.features, work.patch.left_gradients, right, observation.left,
                                            observation.right, parameters.paper);
   const PaperPosition position = position_as_in_the_paper(location.matches, camera);
   location.status = Status::kTooFewMatches;
@@ -256,6 +252,12 @@ bool valid_camera(const geometry::StereoCamera& camera) {
 
 Location locate_mark(const MarkObservation& observation, const geometry::StereoCamera& camera,
                      const LocatorParameters& parameters) {
+  LocatorWorkspace work;
+  return locate_mark(observation, camera, parameters, work);
+}
+
+Location locate_mark(const MarkObservation& observation, const geometry::StereoCamera& camera,
+                     const LocatorParameters& parameters, LocatorWorkspace& work) {
   Location location;
   const View& left = observation.left;
   const View& right = observation.right;
@@ -270,13 +272,13 @@ Location locate_mark(const MarkObservation& observation, const geometry::StereoC
     location.status = Status::kInconsistent;
     return location;
   }
-  Views views = prepare(observation, parameters);
+  prepare(observation, parameters, work);
   if (parameters.method == Method::kPaper) {
-    location = locate_as_in_the_paper(observation, camera, parameters, views);
+    location = locate_as_in_the_paper(observation, camera, parameters, work);
   } else if (observation.surface == Surface::kFree) {
-    location = locate_free(observation, camera, parameters, views);
+    location = locate_free(observation, camera, parameters, work);
   } else {
-    location = locate_plane(observation, camera, parameters, views);
+    location = locate_plane(observation, camera, parameters, work);
   }
   if (location.status == Status::kLocated && !(location.p_C.allFinite() && location.covariance.allFinite())) {
     location.status = Status::kInconsistent;

@@ -3,6 +3,7 @@
 // From two views of a mark to its centre in space: the whole chain of the paper's section 3, and ours.
 
 #include "services/target-locator/features.hpp"
+#include "services/target-locator/locator_workspace.hpp"
 #include "services/target-locator/mark_observation.hpp"
 #include "services/target-locator/paper_matching.hpp"
 #include "services/target-locator/patch_matching.hpp"
@@ -23,7 +24,7 @@ struct LocatorParameters {
   FeatureParameters features;
   SeedParameters seed;
   AlignmentParameters alignment;
-  RefinementParameters verification = {5, false, 3, 0.25, 1.0, 0.6};  // of a plane's features, from where it says
+  RefinementParameters verification = {7, false, 3, 0.25, 1.0, 0.6};  // of a plane's features, from where it says
   OutlineParameters outline;
   PaperParameters paper;
   SearchParameters search;  // free surfaces; its disparities are replaced by the boxes' where min >= max
@@ -42,6 +43,10 @@ struct LocatorParameters {
 // contains; what it cannot use ends in a status.
 Location locate_mark(const MarkObservation& observation, const geometry::StereoCamera& camera,
                      const LocatorParameters& parameters);
+
+// The same in memory that is kept from mark to mark.
+Location locate_mark(const MarkObservation& observation, const geometry::StereoCamera& camera,
+                     const LocatorParameters& parameters, LocatorWorkspace& work);
 
 // Finite everywhere, fx, fy and baseline above 0.
 bool valid_camera(const geometry::StereoCamera& camera);

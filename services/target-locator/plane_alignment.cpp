@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "services/target-locator/plane_kernel.hpp"
@@ -50,13 +51,13 @@ Residuals residuals(const PlaneTemplate& t, const std::vector<float>& warped, co
   return {Vector6::Map(sums.products.data()), sums.squares};
 }
 
-// Median of |residual| times 1.4826.
-double robust_sigma(std::vector<float> residual, std::size_t count) {
-  residual.resize(count);
-  for (float& r : residual) r = std::abs(r);
-  const auto middle = residual.begin() + static_cast<std::ptrdiff_t>(residual.size() / 2);
-  std::nth_element(residual.begin(), middle, residual.end());
-  return 1.4826 * static_cast<double>(*middle);
+// Standard deviation of what is no outlier.
+double robust_sigma(const PlaneTemplate& t, const std::vector<float>& residual) {
+  constexpr double kMeanOfNormal = 0.7979;  // of |x| for sigma 1
+  constexpr double kCut = 2.5;
+  constexpr double kMeanOfCutNormal = 0.7724;  // for |x| up to kCut
+  const double all = mean_absolute(t, residual.data(), std::numeric_limits<float>::max()).mean / kMeanOfNormal;
+  return mean_absolute(t, residual.data(), static_cast<float>(kCut * all)).mean / kMeanOfCutNormal;
 }
 
 Vector6 parameters_of(const DisparityPlane& plane, const PlaneTemplate& t) {
@@ -72,8 +73,9 @@ DisparityPlane plane_of(const Vector6& p, const PlaneTemplate& t) {
 // Gauss-Newton over one set of pixels.
 class Fit {
  public:
-  Fit(const StereoPatch& patch, const Mask& mask, int limit)
-      : patch_(patch), pixels_(make_template(patch, mask, limit)) {
+  // Works on `pixels`, one of the two of `templates`.
+  Fit(const StereoPatch& patch, PlaneTemplates& templates, PlaneTemplate& pixels)
+      : patch_(patch), pixels_(pixels), warped_(templates.warped), residual_(templates.residual) {
     factorise();
   }
 
@@ -81,7 +83,8 @@ class Fit {
   const Vector6& parameters() const { return p_; }
   bool solvable() const { return solvable_; }
 
-  // From `start` until a step moves the disparities by less than `settled`. False when it diverges.
+  // From `start` until a step moves the disparities by less than `settled`; residuals are those before the last step.
+  // False when it diverges.
   bool iterate(const Vector6& start, int iterations, double settled, double max_change) {
     p_ = start;
     for (int k = 0; k < iterations; ++k) {
@@ -90,30 +93,24 @@ class Fit {
       if (!change.allFinite()) return false;
       p_ += change;
       if (!((p_ - start).head<3>().cwiseAbs().sum() < 3.0 * max_change)) return false;
-      if (change.head<3>().cwiseAbs().sum() < settled) break;
+      // Residuals of a step that changes the light say nothing.
+      constexpr double kSettledOffset = 0.5;  // grey levels
+      if (change.head<3>().cwiseAbs().sum() < settled && std::abs(change[4]) < kSettledOffset) break;
     }
-    evaluate();
     return true;
   }
 
   // Leaves out the pixels with large residuals; returns the share that stays.
   double drop_outliers(double sigmas) {
-    const double limit = std::max(2.0, sigmas * robust_sigma(residual_, pixels_.size()));
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      const bool keep = std::abs(static_cast<double>(residual_[i])) <= limit;
-      pixels_.weight[i] = keep ? 1.0F : 0.0F;
-      kept += keep ? 1 : 0;
-    }
-    const double share = static_cast<double>(kept) / static_cast<double>(pixels_.size());
+    const double limit = std::max(2.0, sigmas * robust_sigma(pixels_, residual_));
+    const std::size_t kept = drop_above(residual_.data(), static_cast<float>(limit), pixels_);
     if (kept < pixels_.size()) factorise();
-    return share;
+    return static_cast<double>(kept) / static_cast<double>(pixels_.size());
   }
 
   double correlation() const { return correlation_of(pixels_, warped_); }
 
-  std::optional<Matrix6> covariance(double noise_correlation) {
-    evaluate();
+  std::optional<Matrix6> covariance(double noise_correlation) const {
     const double variance = noise_correlation * sums_.sum_of_squares / std::max(1.0, normal_.count - kPlaneParameters);
     const Matrix6 inverse = solver_.inverse();
     const Matrix6 covariance = variance * inverse * normal_.information * inverse.transpose();
@@ -133,33 +130,48 @@ class Fit {
   }
 
   const StereoPatch& patch_;
-  PlaneTemplate pixels_;
+  PlaneTemplate& pixels_;
   NormalMatrices normal_;
   Eigen::PartialPivLU<Matrix6> solver_;
   bool solvable_ = false;
   Vector6 p_ = Vector6::Zero();
-  std::vector<float> warped_;
-  std::vector<float> residual_;
+  std::vector<float>& warped_;
+  std::vector<float>& residual_;
   Residuals sums_;
 };
 
 }  // namespace
 
+void make_templates(const StereoPatch& patch, const Mask& mask, const AlignmentParameters& parameters,
+                    PlaneTemplates& pixels) {
+  make_template(patch, mask, parameters.max_rough_pixels, pixels.rough);
+  make_template(patch, mask, parameters.max_pixels, pixels.all);
+}
+
 std::optional<PlaneAlignment> align_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& seed,
                                           const AlignmentParameters& parameters) {
+  PlaneTemplates pixels;
+  make_templates(patch, mask, parameters, pixels);
+  return align_plane(patch, pixels, seed, parameters);
+}
+
+std::optional<PlaneAlignment> align_plane(const StereoPatch& patch, PlaneTemplates& pixels, const DisparityPlane& seed,
+                                          const AlignmentParameters& parameters) {
   if (patch.right_rows.width < 4) return std::nullopt;
-  Fit rough(patch, mask, parameters.max_rough_pixels);
+  Fit rough(patch, pixels, pixels.rough);
   if (!rough.solvable()) return std::nullopt;
   const Vector6 start = parameters_of(seed, rough.pixels());
   if (!rough.iterate(start, parameters.max_iterations, parameters.rough_px, parameters.max_seed_error_px)) {
     return std::nullopt;
   }
-  Fit fit(patch, mask, parameters.max_pixels);
-  const DisparityPlane close = plane_of(rough.parameters(), rough.pixels());
+  Fit fit(patch, pixels, pixels.all);
+  Vector6 close = parameters_of(plane_of(rough.parameters(), rough.pixels()), fit.pixels());
+  close.tail<3>() = rough.parameters().tail<3>();
+  close[4] += close[3] * (fit.pixels().mean_grey - rough.pixels().mean_grey);
   const auto iterate = [&](const Vector6& from) {
     return fit.iterate(from, parameters.max_final_iterations, parameters.settled_px, parameters.max_seed_error_px);
   };
-  if (!fit.solvable() || !iterate(parameters_of(close, fit.pixels()))) return std::nullopt;
+  if (!fit.solvable() || !iterate(close)) return std::nullopt;
   const double share = fit.drop_outliers(parameters.outlier_sigmas);
   constexpr double kHardlyAny = 0.995;  // noise alone exceeds 3.5 sigmas now and then
   if (share < kHardlyAny && (!fit.solvable() || !iterate(fit.parameters()))) return std::nullopt;

@@ -2,8 +2,11 @@
 
 // A grey image of floats and where its pixels lie in the camera's image.
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
+
+#include "common/imaging/bit_mask.hpp"
 
 namespace markservo::target_locator {
 
@@ -20,27 +23,40 @@ struct PatchFrame {
   double row_of(double v) const { return (v - y + 0.5) / scale - 0.5; }
 };
 
-// Row by row, no padding.
-template <typename Pixel>
-struct Grid {
+// Grey values, 0..255 or any linear combination of colours. Around each row there is room that vectors may read and
+// write: kRoom pixels before column 0 and behind the last column, of no meaning.
+class PlaneImage {
+ public:
+  static constexpr int kRoom = 16;  // floats of the longest vectors
+
   int width = 0;
   int height = 0;
-  std::vector<Pixel> data;
 
-  Grid() = default;
-  Grid(int width_in, int height_in, Pixel value = Pixel())
-      : width(width_in),
-        height(height_in),
-        data(static_cast<std::size_t>(width_in) * static_cast<std::size_t>(height_in), value) {}
+  PlaneImage() = default;
+  PlaneImage(int width_in, int height_in, float value = 0.0F) {
+    resize(width_in, height_in);
+    std::fill(data_.begin(), data_.end(), value);
+  }
+  // Another size; pixels have any value. Keeps its memory.
+  void resize(int width_in, int height_in) {
+    width = width_in;
+    height = height_in;
+    stride_ = static_cast<std::ptrdiff_t>((width + kRoom - 1) / kRoom * kRoom + kRoom);
+    data_.resize(static_cast<std::size_t>(stride_ * height + 3 * kRoom));
+  }
 
-  Pixel* row(int y) { return data.data() + static_cast<std::ptrdiff_t>(y) * width; }
-  const Pixel* row(int y) const { return data.data() + static_cast<std::ptrdiff_t>(y) * width; }
-  Pixel& at(int x, int y) { return row(y)[x]; }
-  const Pixel& at(int x, int y) const { return row(y)[x]; }
-  bool empty() const { return data.empty(); }
+  float* row(int y) { return data_.data() + kRoom + stride_ * y; }
+  const float* row(int y) const { return data_.data() + kRoom + stride_ * y; }
+  float& at(int x, int y) { return row(y)[x]; }
+  const float& at(int x, int y) const { return row(y)[x]; }
+  std::ptrdiff_t stride() const { return stride_; }  // floats from row to row
+  bool empty() const { return width <= 0 || height <= 0; }
+
+ private:
+  std::ptrdiff_t stride_ = 0;
+  std::vector<float> data_;
 };
 
-using PlaneImage = Grid<float>;    // grey values, 0..255 or any linear combination of colours
-using Mask = Grid<unsigned char>;  // 1 where the mark is, else 0
+using Mask = imaging::BitMask;  // set where the mark is
 
 }  // namespace markservo::target_locator

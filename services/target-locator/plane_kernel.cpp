@@ -1,5 +1,7 @@
 #include "services/target-locator/plane_kernel.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
@@ -8,12 +10,12 @@
 // After foreach_target.
 #include <hwy/highway.h>
 
+#include "services/target-locator/row_sampler-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace markservo::target_locator::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, PlaneTemplate::kLanes>;
 
 template <class V>
 double sum_of(V lanes) {
@@ -25,31 +27,105 @@ double sum_of(V lanes) {
   return sum;
 }
 
-void SampleRows(const float* image, int width, const PlaneTemplate& t, const ColumnMap& columns, float* warped) {
+// What the blocks hold; their greys about the mean, so that gain and offset do not fight each other.
+void FillTemplate(const StereoPatch& patch, const TemplateScale& scale, PlaneTemplate& t) {
   const Floats d;
-  const hn::RebindToSigned<Floats> di;
-  const auto least = hn::Set(d, 1.0F);
-  const auto most = hn::Set(d, static_cast<float>(width) - 2.001F);
-  const auto half = hn::Set(d, 0.5F);
-  for (std::size_t i = 0; i < t.padded(); i += hn::Lanes(d)) {
-    auto x = hn::MulAdd(hn::Set(d, columns.per_column), hn::LoadU(d, &t.column[i]), hn::Set(d, columns.base));
-    x = hn::MulAdd(hn::Set(d, columns.per_u), hn::LoadU(d, &t.along_u[i]), x);
-    x = hn::MulAdd(hn::Set(d, columns.per_v), hn::LoadU(d, &t.along_v[i]), x);
-    x = hn::Min(hn::Max(x, least), most);
-    const auto whole = hn::ConvertTo(di, x);
-    const auto f = hn::Sub(x, hn::ConvertTo(d, whole));
-    const auto at = hn::Add(hn::Mul(hn::LoadU(di, &t.row[i]), hn::Set(di, width)), whole);
-    const auto p0 = hn::GatherIndex(d, image - 1, at);
-    const auto p1 = hn::GatherIndex(d, image, at);
-    const auto p2 = hn::GatherIndex(d, image + 1, at);
-    const auto p3 = hn::GatherIndex(d, image + 2, at);
-    // p1 + f/2 ((p2 - p0) + f ((2 p0 - 5 p1 + 4 p2 - p3) + f (3 (p1 - p2) + p3 - p0)))
-    const auto cubic = hn::MulAdd(hn::Set(d, 3.0F), hn::Sub(p1, p2), hn::Sub(p3, p0));
-    auto square = hn::MulAdd(hn::Set(d, 4.0F), p2, hn::Sub(hn::Add(p0, p0), p3));
-    square = hn::NegMulAdd(hn::Set(d, 5.0F), p1, square);
-    const auto slope = hn::MulAdd(f, hn::MulAdd(f, cubic, square), hn::Sub(p2, p0));
-    hn::StoreU(hn::MulAdd(hn::Mul(half, f), slope, p1), d, warped + i);
+  const auto inverse_scale = hn::Set(d, static_cast<float>(1.0 / patch.left_frame.scale));
+  const auto half_inverse = hn::Mul(hn::Set(d, 0.5F), inverse_scale);
+  const auto per_pixel = hn::Set(d, static_cast<float>(scale.per_pixel));
+  const auto centre = hn::Set(d, static_cast<float>(scale.centre_column));
+  auto sum = hn::Zero(d);
+  std::size_t i = 0;
+  for (const PlaneTemplate::Block& block : t.blocks) {
+    const float* grey = patch.left.row(block.row) + block.column;
+    const float* gradient_u = patch.left_gradients.column.row(block.row) + block.column;
+    const float* gradient_v = patch.left_gradients.row.row(block.row) + block.column;
+    const auto v = hn::Set(d, static_cast<float>((block.row - scale.centre_row) * scale.per_pixel));
+    for (std::size_t lane = 0; lane < PlaneTemplate::kLanes; lane += hn::Lanes(d), i += hn::Lanes(d)) {
+      const auto weight = hn::LoadU(d, &t.weight[i]);
+      const auto used = hn::Gt(weight, hn::Zero(d));
+      const auto value = hn::IfThenElseZero(used, hn::LoadU(d, grey + lane));
+      sum = hn::Add(sum, value);
+      hn::StoreU(value, d, &t.grey[i]);
+      hn::StoreU(hn::IfThenElseZero(used, hn::Mul(inverse_scale, hn::LoadU(d, gradient_u + lane))), d,
+                 &t.gradient_u[i]);
+      hn::StoreU(hn::IfThenElseZero(used, hn::Mul(inverse_scale, hn::LoadU(d, gradient_v + lane))), d,
+                 &t.gradient_v[i]);
+      const auto difference = hn::Sub(hn::LoadU(d, grey + lane + 1), hn::LoadU(d, grey + lane - 1));
+      hn::StoreU(hn::IfThenElseZero(used, hn::Mul(half_inverse, difference)), d, &t.slope_u[i]);
+      const auto column = hn::Iota(d, static_cast<float>(block.column) + static_cast<float>(lane));
+      hn::StoreU(hn::IfThenElseZero(used, hn::Mul(per_pixel, hn::Sub(column, centre))), d, &t.along_u[i]);
+      hn::StoreU(hn::IfThenElseZero(used, v), d, &t.along_v[i]);
+    }
   }
+  t.mean_grey = sum_of(sum) / static_cast<double>(t.count);
+  const auto mean = hn::Set(d, static_cast<float>(t.mean_grey));
+  for (i = 0; i < t.padded(); i += hn::Lanes(d)) {
+    hn::StoreU(hn::NegMulAdd(mean, hn::LoadU(d, &t.weight[i]), hn::LoadU(d, &t.grey[i])), d, &t.grey[i]);
+  }
+}
+
+void SampleRows(const PlaneImage& image, const PlaneTemplate& t, const ColumnMap& columns, float* warped) {
+  const Floats d;
+  const auto step = static_cast<float>(columns.per_column);
+  for (const PlaneTemplate::Block& block : t.blocks) {
+    const float* row = image.row(block.row);
+    const auto x0 = static_cast<float>(columns.base + columns.per_column * block.column + columns.per_row * block.row);
+    for (std::size_t lane = 0; lane < PlaneTemplate::kLanes; lane += hn::Lanes(d)) {
+      hn::StoreU(sample_row(row, image.width, x0 + step * static_cast<float>(lane), step), d, warped);
+      warped += hn::Lanes(d);
+    }
+  }
+}
+
+ProductSums SumProducts(const PlaneTemplate& t, const float* warped) {
+  const Floats d;
+  auto n = hn::Zero(d);
+  auto a = hn::Zero(d);
+  auto b = hn::Zero(d);
+  auto aa = hn::Zero(d);
+  auto ab = hn::Zero(d);
+  auto bb = hn::Zero(d);
+  for (std::size_t i = 0; i < t.padded(); i += hn::Lanes(d)) {
+    const auto weight = hn::LoadU(d, &t.weight[i]);
+    const auto left = hn::Mul(weight, hn::LoadU(d, &t.grey[i]));
+    const auto right = hn::Mul(weight, hn::LoadU(d, warped + i));
+    n = hn::Add(n, weight);
+    a = hn::Add(a, left);
+    b = hn::Add(b, right);
+    aa = hn::MulAdd(left, left, aa);
+    ab = hn::MulAdd(left, right, ab);
+    bb = hn::MulAdd(right, right, bb);
+  }
+  return {sum_of(n), sum_of(a), sum_of(b), sum_of(aa), sum_of(ab), sum_of(bb)};
+}
+
+AbsoluteMean MeanAbsolute(const PlaneTemplate& t, const float* residual, float limit) {
+  const Floats d;
+  auto n = hn::Zero(d);
+  auto sum = hn::Zero(d);
+  for (std::size_t i = 0; i < t.padded(); i += hn::Lanes(d)) {
+    const auto size = hn::Abs(hn::LoadU(d, residual + i));
+    const auto weight = hn::IfThenElseZero(hn::Le(size, hn::Set(d, limit)), hn::LoadU(d, &t.weight[i]));
+    n = hn::Add(n, weight);
+    sum = hn::MulAdd(weight, size, sum);
+  }
+  AbsoluteMean result;
+  result.n = sum_of(n);
+  result.mean = result.n > 0.0 ? sum_of(sum) / result.n : 0.0;
+  return result;
+}
+
+std::size_t DropAbove(const float* residual, float limit, PlaneTemplate& t) {
+  const Floats d;
+  auto n = hn::Zero(d);
+  for (std::size_t i = 0; i < t.padded(); i += hn::Lanes(d)) {
+    const auto kept = hn::Le(hn::Abs(hn::LoadU(d, residual + i)), hn::Set(d, limit));
+    const auto weight = hn::IfThenElseZero(kept, hn::LoadU(d, &t.weight[i]));
+    hn::StoreU(weight, d, &t.weight[i]);
+    n = hn::Add(n, weight);
+  }
+  return static_cast<std::size_t>(sum_of(n));
 }
 
 ResidualSums SumResiduals(const PlaneTemplate& t, const float* warped, float gain, float offset, float rising,
@@ -129,12 +205,35 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace markservo::target_locator {
 
+HWY_EXPORT(FillTemplate);
 HWY_EXPORT(SampleRows);
+HWY_EXPORT(SumProducts);
+HWY_EXPORT(MeanAbsolute);
+HWY_EXPORT(DropAbove);
 HWY_EXPORT(SumResiduals);
 HWY_EXPORT(SumDerivatives);
 
-void sample_rows(const float* image, int width, const PlaneTemplate& t, const ColumnMap& columns, float* warped) {
-  HWY_DYNAMIC_DISPATCH(SampleRows)(image, width, t, columns, warped);
+void fill_template(const StereoPatch& patch, const TemplateScale& scale, PlaneTemplate& t) {
+  for (auto* values : {&t.along_u, &t.along_v, &t.grey, &t.gradient_u, &t.gradient_v, &t.slope_u}) {
+    values->resize(t.padded());
+  }
+  HWY_DYNAMIC_DISPATCH(FillTemplate)(patch, scale, t);
+}
+
+void sample_rows(const PlaneImage& image, const PlaneTemplate& t, const ColumnMap& columns, float* warped) {
+  HWY_DYNAMIC_DISPATCH(SampleRows)(image, t, columns, warped);
+}
+
+ProductSums sum_products(const PlaneTemplate& t, const float* warped) {
+  return HWY_DYNAMIC_DISPATCH(SumProducts)(t, warped);
+}
+
+AbsoluteMean mean_absolute(const PlaneTemplate& t, const float* residual, float limit) {
+  return HWY_DYNAMIC_DISPATCH(MeanAbsolute)(t, residual, limit);
+}
+
+std::size_t drop_above(const float* residual, float limit, PlaneTemplate& t) {
+  return HWY_DYNAMIC_DISPATCH(DropAbove)(residual, limit, t);
 }
 
 ResidualSums sum_residuals(const PlaneTemplate& t, const float* warped, float gain, float offset, float rising,

@@ -21,44 +21,34 @@ struct MaskMoments {
 
 MaskMoments moments_of(const Mask& mask, const PatchFrame& frame) {
   MaskMoments m;
-  for (int y = 0; y < mask.height; ++y) {
-    const unsigned char* line = mask.row(y);
-    int count = 0;
-    int first = 0;
-    for (int x = 0; x < mask.width; ++x) {
-      count += line[x];
-      first += line[x] * x;
+  // About the mask's middle, so that sums stay small.
+  const double middle_x = 0.5 * mask.width();
+  const double middle_y = 0.5 * mask.height();
+  for (int y = 0; y < mask.height(); ++y) {
+    if (mask.surely_empty(y)) continue;
+    const double dy = y - middle_y;
+    for (int begin = mask.next(y, 0, true); begin < mask.width();) {
+      const int end = mask.next(y, begin, false);
+      const double n = end - begin;
+      const double dx = 0.5 * (begin + end - 1) - middle_x;
+      m.count += n;
+      m.u += n * dx;
+      m.v += n * dy;
+      m.uu += n * (dx * dx + (n * n - 1.0) / 12.0);
+      m.uv += n * dx * dy;
+      m.vv += n * dy * dy;
+      begin = mask.next(y, end, true);
     }
-    m.count += count;
-    m.u += first;
-    m.v += static_cast<double>(count) * y;
   }
   if (!(m.count > 0.0)) return m;
-  const double cx = m.u / m.count;
-  const double cy = m.v / m.count;
-  for (int y = 0; y < mask.height; ++y) {
-    const unsigned char* line = mask.row(y);
-    float count = 0.0F;
-    float first = 0.0F;
-    float second = 0.0F;
-    for (int x = 0; x < mask.width; ++x) {
-      const float off = static_cast<float>(x) - static_cast<float>(cx);
-      const auto inside = static_cast<float>(line[x]);
-      count += inside;
-      first += inside * off;
-      second += inside * off * off;
-    }
-    const double dy = y - cy;
-    m.uu += static_cast<double>(second);
-    m.uv += static_cast<double>(first) * dy;
-    m.vv += static_cast<double>(count) * dy * dy;
-  }
-  const double unit = frame.scale * frame.scale / m.count;
-  m.uu *= unit;
-  m.uv *= unit;
-  m.vv *= unit;
-  m.u = frame.u_of(cx);
-  m.v = frame.v_of(cy);
+  const double u = m.u / m.count;
+  const double v = m.v / m.count;
+  const double unit = frame.scale * frame.scale;
+  m.uu = unit * (m.uu / m.count - u * u);
+  m.uv = unit * (m.uv / m.count - u * v);
+  m.vv = unit * (m.vv / m.count - v * v);
+  m.u = frame.u_of(middle_x + u);
+  m.v = frame.v_of(middle_y + v);
   return m;
 }
 
@@ -85,13 +75,13 @@ std::optional<DisparityPlane> plane_of_masks(const Mask& left, const PatchFrame&
   return plane;
 }
 
-PlaneSeed seed_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& guess, double reach,
+PlaneSeed seed_plane(const StereoPatch& patch, PlaneTemplates& pixels, const DisparityPlane& guess, double reach,
                      const SeedParameters& parameters) {
-  const PlaneTemplate t = make_template(patch, mask, parameters.max_pixels);
+  const PlaneTemplate& t = pixels.rough;
   if (t.size() < 2 || patch.right_rows.width < 4) return {guess, -1.0};
   const double step = patch.right_frame.scale;
   const int steps = static_cast<int>(std::ceil(std::max(0.0, reach) / step));
-  std::vector<float> warped;
+  std::vector<float>& warped = pixels.warped;
   double best = -2.0;
   double best_shift = 0.0;
   // From the middle outwards, so that of equals the one nearest the guess wins.
@@ -105,6 +95,7 @@ PlaneSeed seed_plane(const StereoPatch& patch, const Mask& mask, const Disparity
       best = score;
       best_shift = shift;
     }
+    if (k == 0 && best >= parameters.plain) break;
   }
   PlaneSeed seed{guess, best};
   seed.plane.at_centre += best_shift;

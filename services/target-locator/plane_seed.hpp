@@ -4,12 +4,12 @@
 
 #include <optional>
 
-#include "services/target-locator/stereo_patch.hpp"
+#include "services/target-locator/plane_alignment.hpp"
 
 namespace markservo::target_locator {
 
 struct SeedParameters {
-  int max_pixels = 250;  // enough to tell one shift from another
+  double plain = 0.9;  // correlation of the guess itself that leaves nothing to search for
 };
 
 // A disparity plane to start from, and how well the views correlate on it.
@@ -24,8 +24,9 @@ struct PlaneSeed {
 std::optional<DisparityPlane> plane_of_masks(const Mask& left, const PatchFrame& left_frame, const Mask& right,
                                              const PatchFrame& right_frame);
 
-// Coarse: the whole-pixel shift about `guess` that correlates the masked pixels best, within `reach` px either way.
-PlaneSeed seed_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& guess, double reach,
+// Coarse: the whole-pixel shift about `guess` that correlates the rough template's pixels best, within `reach` px
+// either way.
+PlaneSeed seed_plane(const StereoPatch& patch, PlaneTemplates& pixels, const DisparityPlane& guess, double reach,
                      const SeedParameters& parameters);
 
 }  // namespace markservo::target_locator

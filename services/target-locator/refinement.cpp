@@ -3,68 +3,69 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include "services/target-locator/epipolar_rows.hpp"
+#include "services/target-locator/window_kernel.hpp"
 
 namespace markservo::target_locator {
 namespace {
 
-// One of the window's left pixels.
-struct WindowPixel {
-  float du;        // image px from the feature
-  float dv;        // image px
-  int row;         // patch px
-  float grey;      // about the window's mean
-  float gradient;  // Sobel's, per image px: the left factor of the normal equations, with little noise
-};
+Eigen::Vector3d first(const WindowMoments& m) {
+  return Eigen::Vector3f(m[0], m[1], m[2]).cast<double>();
+}
+
+// Of (1, du, dv) times itself.
+Eigen::Matrix3d second(const WindowMoments& m) {
+  Eigen::Matrix3f matrix;
+  matrix << m[0], m[1], m[2], m[1], m[3], m[4], m[2], m[4], m[5];
+  return matrix.cast<double>();
+}
 
 // The left window and what follows from it alone.
 struct Window {
-  std::vector<WindowPixel> pixels;
-  float mean = 0.0F;
+  WindowFrame frame;
+  float about = 0.0F;   // grey that is taken off both views
+  double n = 0.0;       // pixels
+  double mean = 0.0;    // of the greys less `about`
   double energy = 0.0;  // sum of squared greys about the mean
   // Of (1, du, dv), weighted by the gradients.
-  Eigen::Vector3f gradient_grey = Eigen::Vector3f::Zero();
-  Eigen::Matrix3f newton = Eigen::Matrix3f::Zero();       // with the plain difference as right factor: the true slope
-  Eigen::Matrix3f information = Eigen::Matrix3f::Zero();  // with the left factor again: what noise does
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  Eigen::Vector3d gradient_grey = Eigen::Vector3d::Zero();  // greys about the mean
+  Eigen::Matrix3d newton = Eigen::Matrix3d::Zero();         // with the plain difference as right factor: the true slope
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();    // with the left factor again: what noise does
 };
 
 Window make_window(const StereoPatch& patch, const Feature& feature, int half, const Mask* support) {
   Window window;
   const PlaneImage& left = patch.left;
+  // Central differences need a neighbour.
   const int x0 = std::max(1, feature.column - half);
   const int x1 = std::min(left.width - 2, feature.column + half);
   const int y0 = std::max(0, feature.row - half);
   const int y1 = std::min(left.height - 1, feature.row + half);
-  const auto scale = static_cast<float>(patch.left_frame.scale);
-  const std::size_t side = 2 * static_cast<std::size_t>(half) + 1;
-  window.pixels.reserve(side * side);
-  float sum = 0.0F;
-  for (int y = y0; y <= y1; ++y) {
-    const float* grey = left.row(y);
-    const float* gradient = patch.left_gradients.column.row(y);
-    for (int x = x0; x <= x1; ++x) {
-      if (support != nullptr && support->at(x, y) == 0) continue;
-      sum += grey[x];
-      window.pixels.push_back({static_cast<float>(x - feature.column) * scale,
-                               static_cast<float>(y - feature.row) * scale, y, grey[x], gradient[x] / scale});
-      const float slope = 0.5F * (grey[x + 1] - grey[x - 1]) / scale;
-      const WindowPixel& pixel = window.pixels.back();
-      const Eigen::Vector3f along(1.0F, pixel.du, pixel.dv);
-      window.newton += pixel.gradient * slope * along * along.transpose();
-      window.information += pixel.gradient * pixel.gradient * along * along.transpose();
-    }
+  if (x1 < x0 || y1 < y0) return window;
+  const double scale = patch.left_frame.scale;
+  WindowFrame& frame = window.frame;
+  frame.column = x0;
+  frame.row = y0;
+  frame.height = y1 - y0 + 1;
+  frame.du = static_cast<float>((x0 - feature.column) * scale);
+  frame.dv = static_cast<float>((y0 - feature.row) * scale);
+  frame.scale = static_cast<float>(scale);
+  const std::uint64_t whole = imaging::low_bits(x1 - x0 + 1);
+  for (int j = 0; j < frame.height; ++j) {
+    const std::uint64_t used = support == nullptr ? whole : support->window(x0, y0 + j) & whole;
+    frame.used[static_cast<std::size_t>(j)] = static_cast<std::uint16_t>(used);
   }
-  if (window.pixels.empty()) return window;
-  window.mean = sum / static_cast<float>(window.pixels.size());
-  float energy = 0.0F;
-  for (WindowPixel& pixel : window.pixels) {
-    pixel.grey -= window.mean;
-    energy += pixel.grey * pixel.grey;
-    window.gradient_grey += pixel.gradient * pixel.grey * Eigen::Vector3f(1.0F, pixel.du, pixel.dv);
-  }
-  window.energy = static_cast<double>(energy);
+  window.about = left.at(feature.column, feature.row);
+  const WindowSums sums = sum_window(left, patch.left_gradients.column, frame, window.about);
+  window.n = static_cast<double>(sums.n);
+  if (!(window.n > 0.0)) return window;
+  window.mean = static_cast<double>(sums.grey) / window.n;
+  window.energy = static_cast<double>(sums.grey_squares) - window.n * window.mean * window.mean;
+  window.gradient = first(sums.gradient);
+  window.gradient_grey = first(sums.gradient_grey) - window.mean * window.gradient;
+  window.newton = second(sums.newton);
+  window.information = second(sums.information);
   return window;
 }
 
@@ -79,46 +80,28 @@ struct Comparison {
 // Nothing when the window's middle leaves the right patch.
 std::optional<Comparison> compare(const Window& window, const StereoPatch& patch, double u,
                                   const LocalDisparity& local) {
-  const auto base = static_cast<float>(patch.right_frame.column_of(u - local.disparity));
-  const auto inverse_scale = static_cast<float>(1.0 / patch.right_frame.scale);
-  const float per_u = (1.0F - static_cast<float>(local.along_u)) * inverse_scale;
-  const float per_v = -static_cast<float>(local.along_v) * inverse_scale;
-  if (!(base >= 2.0F) || !(base <= static_cast<float>(patch.right_rows.width) - 3.0F)) return std::nullopt;
-  float sum = 0.0F;
-  float squares = 0.0F;
-  float product = 0.0F;
-  float gradient_sum = 0.0F;
-  float gradient_u = 0.0F;
-  float gradient_v = 0.0F;
-  Eigen::Vector3f gradient_right = Eigen::Vector3f::Zero();
-  for (const WindowPixel& pixel : window.pixels) {
-    const float right = sample_cubic(patch.right_rows.row(pixel.row), patch.right_rows.width,
-                                     base + per_u * pixel.du + per_v * pixel.dv) -
-                        window.mean;
-    sum += right;
-    squares += right * right;
-    product += right * pixel.grey;
-    gradient_sum += pixel.gradient;
-    gradient_u += pixel.gradient * pixel.du;
-    gradient_v += pixel.gradient * pixel.dv;
-    gradient_right += pixel.gradient * right * Eigen::Vector3f(1.0F, pixel.du, pixel.dv);
-  }
-  const float offset = sum / static_cast<float>(window.pixels.size());
+  const double base = patch.right_frame.column_of(u - local.disparity);
+  if (!(base >= 2.0) || !(base <= patch.right_rows.width - 3.0)) return std::nullopt;
+  RightColumns columns;
+  columns.base = static_cast<float>(base);
+  columns.per_u = static_cast<float>((1.0 - local.along_u) / patch.right_frame.scale);
+  columns.per_v = static_cast<float>(-local.along_v / patch.right_frame.scale);
+  const ComparisonSums sums =
+      compare_window(patch.left, patch.left_gradients.column, patch.right_rows, window.frame, columns, window.about);
+  const double mean = static_cast<double>(sums.right) / window.n;
   Comparison result;
-  result.energy = static_cast<double>(squares - sum * offset);
-  result.product = static_cast<double>(product);
+  result.energy = static_cast<double>(sums.squares) - window.n * mean * mean;
+  result.product = static_cast<double>(sums.product) - window.n * mean * window.mean;
   result.gain = result.product / window.energy;
-  const Eigen::Vector3f of_offset = offset * Eigen::Vector3f(gradient_sum, gradient_u, gradient_v);
-  result.mismatch = (gradient_right - of_offset).cast<double>() - result.gain * window.gradient_grey.cast<double>();
+  result.mismatch = first(sums.gradient_right) - mean * window.gradient - result.gain * window.gradient_grey;
   return result;
 }
 
 // The inverse for the disparity alone, or for its slopes as well; the rest is 0.
 Eigen::Matrix3d step_matrix(const Window& window, bool solve_slopes) {
-  const Eigen::Matrix3d newton = window.newton.cast<double>();
-  if (solve_slopes) return newton.inverse();
+  if (solve_slopes) return window.newton.inverse();
   Eigen::Matrix3d step = Eigen::Matrix3d::Zero();
-  step(0, 0) = 1.0 / newton(0, 0);
+  step(0, 0) = 1.0 / window.newton(0, 0);
   return step;
 }
 
@@ -128,11 +111,12 @@ std::optional<RefinedMatch> refine_match(const StereoPatch& patch, const Feature
                                          const Mask* support, const RefinementParameters& parameters) {
   constexpr double kSteepest = 1.5;     // px per px
   constexpr double kLargestGain = 5.0;  // between two cameras that see the same
-  const int side = 2 * parameters.half_window + 1;
-  const Window window = make_window(patch, feature, parameters.half_window, support);
-  const auto n = static_cast<double>(window.pixels.size());
+  const int half = std::clamp(parameters.half_window, 1, WindowFrame::kLargestHalf);
+  const int side = 2 * half + 1;
+  const Window window = make_window(patch, feature, half, support);
+  const double n = window.n;
   // A quarter of the window and a few more, with at least one grey level of contrast.
-  if (n < 0.25 * side * side + 6.0 || !(window.energy > n) || !(window.newton(0, 0) > 1e-6F)) return std::nullopt;
+  if (n < 0.25 * side * side + 6.0 || !(window.energy > n) || !(window.newton(0, 0) > 1e-6)) return std::nullopt;
   const Eigen::Matrix3d step = step_matrix(window, parameters.solve_slopes);
   if (!step.allFinite()) return std::nullopt;
 
@@ -161,7 +145,7 @@ std::optional<RefinedMatch> refine_match(const StereoPatch& patch, const Feature
   const double residual = std::max(0.0, seen->energy - seen->product * seen->gain);
   const double unknowns = parameters.solve_slopes ? 5.0 : 3.0;
   const double variance = residual / std::max(1.0, n - unknowns) / (seen->gain * seen->gain);
-  const Eigen::Matrix3d covariance = variance * step * window.information.cast<double>() * step.transpose();
+  const Eigen::Matrix3d covariance = variance * step * window.information * step.transpose();
   match.sigma = std::sqrt(std::max(0.0, covariance(0, 0)));
   return match;
 }

@@ -10,8 +10,8 @@
 namespace markservo::target_locator {
 
 struct RefinementParameters {
-  int half_window = 5;        // patch px; 11 x 11
-  bool solve_slopes = false;  // disparity's slopes as well (needs about 15 x 15)
+  int half_window = 7;        // patch px, at most 7; 15 x 15 fill vectors of 16
+  bool solve_slopes = false;  // disparity's slopes as well (needs 15 x 15)
   int max_iterations = 6;
   double settled_px = 0.005;
   double max_change_px = 1.5;    // image px from the start; farther is another point

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace markservo::target_locator {
@@ -64,64 +65,91 @@ std::optional<Eigen::Vector2d> diagonals_meet(const Corners& c) {
                    {{-b.y(), b.x()}, b.x() * c[1].y() - b.y() * c[1].x()});
 }
 
-// The parallelogram with the mask's first, second and fourth moments: exact for a square under any affine map.
-std::optional<std::array<Line, 4>> lines_from_moments(const Mask& mask, double min_squareness) {
+// Calls visit(row, begin, end) for every run of the mask.
+template <class Visit>
+void for_each_run(const Mask& mask, const Visit& visit) {
+  for (int y = 0; y < mask.height(); ++y) {
+    if (mask.surely_empty(y)) continue;
+    for (int begin = mask.next(y, 0, true); begin < mask.width();) {
+      const int end = mask.next(y, begin, false);
+      visit(y, begin, end);
+      begin = mask.next(y, end, true);
+    }
+  }
+}
+
+// Central moments of a mask, per pixel.
+struct MaskMoments {
   double n = 0.0;
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  std::array<double, 5> fourth{};  // of x^4, x^3 y, x^2 y^2, x y^3, y^4
+};
+
+MaskMoments moments_of(const Mask& mask) {
+  MaskMoments m;
   double sx = 0.0;
   double sy = 0.0;
-  double sxx = 0.0;
-  double sxy = 0.0;
-  double syy = 0.0;
-  for (int y = 0; y < mask.height; ++y) {
-    const unsigned char* line = mask.row(y);
-    int count = 0;
-    int first = 0;
-    std::int64_t second = 0;
-    for (int x = 0; x < mask.width; ++x) {
-      count += line[x];
-      first += line[x] * x;
-      second += static_cast<std::int64_t>(line[x]) * x * x;
-    }
-    n += count;
-    sx += first;
-    sy += static_cast<double>(count) * y;
-    sxx += static_cast<double>(second);
-    sxy += static_cast<double>(first) * y;
-    syy += static_cast<double>(count) * y * y;
-  }
-  if (n < 64.0) return std::nullopt;
-  const Eigen::Vector2d centre(sx / n, sy / n);
+  for_each_run(mask, [&](int y, int begin, int end) {
+    const double n = end - begin;
+    m.n += n;
+    sx += n * 0.5 * (begin + end - 1);
+    sy += n * y;
+  });
+  if (!(m.n > 0.0)) return m;
+  m.centre = {sx / m.n, sy / m.n};
+  for_each_run(mask, [&](int row, int begin, int end) {
+    // A run's moments about its own middle, then about the centre.
+    const double n = end - begin;
+    const double y = row - m.centre.y();
+    const double x = 0.5 * (begin + end - 1) - m.centre.x();
+    const double second = n * (n * n - 1.0) / 12.0;
+    const double fourth = second * (3.0 * n * n - 7.0) / 20.0;
+    const double xx = second + n * x * x;
+    const double xxx = (3.0 * second + n * x * x) * x;
+    const double xxxx = fourth + (6.0 * second + n * x * x) * x * x;
+    m.xx += xx;
+    m.xy += n * x * y;
+    m.yy += n * y * y;
+    m.fourth[0] += xxxx;
+    m.fourth[1] += xxx * y;
+    m.fourth[2] += xx * y * y;
+    m.fourth[3] += n * x * y * y * y;
+    m.fourth[4] += n * y * y * y * y;
+  });
+  m.xx /= m.n;
+  m.xy /= m.n;
+  m.yy /= m.n;
+  for (double& value : m.fourth) value /= m.n;
+  return m;
+}
+
+// The parallelogram with the mask's first, second and fourth moments: exact for a square under any affine map.
+std::optional<std::array<Line, 4>> lines_from_moments(const Mask& mask, double min_squareness) {
+  const MaskMoments m = moments_of(mask);
+  if (m.n < 64.0) return std::nullopt;
   Eigen::Matrix2d moments;
-  moments << sxx / n - centre.x() * centre.x(), sxy / n - centre.x() * centre.y(), sxy / n - centre.x() * centre.y(),
-      syy / n - centre.y() * centre.y();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments);
+  moments << m.xx, m.xy, m.xy, m.yy;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(moments);
   if (!(solver.eigenvalues()[0] > 1.0)) return std::nullopt;
   const Eigen::Matrix2d whiten = solver.operatorInverseSqrt();
-  // Every other pixel of every other row is plenty for an angle.
-  std::complex<double> fourth = 0.0;
-  double sampled = 0.0;
-  for (int y = 0; y < mask.height; y += 2) {
-    const unsigned char* line = mask.row(y);
-    const double dy = y - centre.y();
-    for (int x = 0; x < mask.width; x += 2) {
-      if (line[x] == 0) continue;
-      sampled += 1.0;
-      const double dx = x - centre.x();
-      const double a = whiten(0, 0) * dx + whiten(0, 1) * dy;
-      const double b = whiten(1, 0) * dx + whiten(1, 1) * dy;
-      const double re = a * a - b * b;
-      const double im = 2.0 * a * b;
-      fourth += std::complex<double>(re * re - im * im, 2.0 * re * im);
-    }
-  }
+  // The mean of (x' + i y')^4, with (x', y') whitened: (p x + q y)^4.
+  const std::complex<double> p(whiten(0, 0), whiten(1, 0));
+  const std::complex<double> q(whiten(0, 1), whiten(1, 1));
+  const std::complex<double> fourth = p * p * p * p * m.fourth[0] + 4.0 * p * p * p * q * m.fourth[1] +
+                                      6.0 * p * p * q * q * m.fourth[2] + 4.0 * p * q * q * q * m.fourth[3] +
+                                      q * q * q * q * m.fourth[4];
   constexpr double kSquare = 2.4;  // |mean of (x + iy)^4| of a square with unit second moments
-  if (!(sampled > 0.0) || std::abs(fourth) / sampled < kSquare * min_squareness) return std::nullopt;
+  if (std::abs(fourth) < kSquare * min_squareness) return std::nullopt;
   const double turn = std::arg(-fourth) / 4.0;
   std::array<Line, 4> lines;
   for (std::size_t k = 0; k < 4; ++k) {
     const double angle = turn + 0.5 * kPi * static_cast<double>(k);
     const Eigen::Vector2d normal = whiten * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    lines[k] = {normal, std::sqrt(3.0) + normal.dot(centre)};
+    lines[k] = {normal, std::sqrt(3.0) + normal.dot(m.centre)};
   }
   return lines;
 }
@@ -144,149 +172,179 @@ Side side_of(const Line& line, const Eigen::Vector2d& a, const Eigen::Vector2d& 
 }
 
 struct EdgePoint {
-  double along;
-  double across;
+  float along;     // from the side's middle
+  float across;    // from the side as it was
+  float residual;  // from the line
+  bool good;       // on the line
 };
 
+// The points of one side, in order.
+using EdgePoints = std::vector<EdgePoint>;
+
 // Neighbouring points share texture: how many of them count as one, from the correlation of their residuals.
-double points_per_independent_one(const std::vector<double>& residual, double tolerance) {
+double points_per_independent_one(const EdgePoints& points) {
   constexpr std::size_t kLongestLag = 8;
-  double squares = 0.0;
-  double products = 0.0;
-  for (std::size_t i = 0; i < residual.size(); ++i) {
-    if (std::abs(residual[i]) > tolerance) continue;
-    squares += residual[i] * residual[i];
-    for (std::size_t lag = 1; lag <= kLongestLag && i + lag < residual.size(); ++lag) {
-      if (std::abs(residual[i + lag]) <= tolerance) products += residual[i] * residual[i + lag];
+  float squares = 0.0F;
+  float products = 0.0F;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].good) continue;
+    squares += points[i].residual * points[i].residual;
+    const std::size_t end = std::min(points.size(), i + kLongestLag + 1);
+    for (std::size_t k = i + 1; k < end; ++k) {
+      if (points[k].good) products += points[i].residual * points[k].residual;
     }
   }
   // Fitting the line takes its share of the correlation away, so that even independent points count as two.
-  return squares > 0.0 ? std::clamp(2.0 + 2.0 * products / squares, 2.0, 10.0) : 2.0;
+  return squares > 0.0F ? std::clamp(2.0 + 2.0 * static_cast<double>(products / squares), 2.0, 10.0) : 2.0;
 }
 
-// Robust line through the points; false when too few lie on it.
-bool fit_line(const std::vector<EdgePoint>& points, std::size_t wanted, double tolerance_floor,
-              const OutlineParameters& parameters, Side& side) {
+// Standard deviation of the residuals without the largest.
+float robust_sigma(const EdgePoints& points) {
+  constexpr float kPerMean = 1.2533F;  // of a normal distribution, over its mean size
+  float limit = std::numeric_limits<float>::max();
+  float sigma = 0.0F;
+  for (int pass = 0; pass < 3; ++pass) {
+    float sum = 0.0F;
+    float n = 0.0F;
+    for (const EdgePoint& point : points) {
+      const float size = std::abs(point.residual);
+      if (size > limit) continue;
+      sum += size;
+      n += 1.0F;
+    }
+    sigma = kPerMean * sum / std::max(n, 1.0F);
+    limit = 2.5F * sigma;
+  }
+  return sigma;
+}
+
+// Robust line through the points, which turns the side; false when too few lie on it.
+bool fit_line(EdgePoints& points, std::size_t wanted, float tolerance_floor, const OutlineParameters& parameters,
+              Side& side) {
   if (points.size() < 6) return false;
   constexpr int kPasses = 5;
-  std::vector<double> residual(points.size());
-  std::vector<double> size(points.size());
-  double tolerance = 1e9;
-  std::size_t good = 0;
+  for (EdgePoint& point : points) point.good = true;
+  float good = 0.0F;
+  float p = 0.0F;
+  float q = 0.0F;
   for (int pass = 0; pass < kPasses; ++pass) {
-    double n = 0.0;
-    double st = 0.0;
-    double sz = 0.0;
-    double stt = 0.0;
-    double stz = 0.0;
-    good = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double t = points[i].along - side.middle;
-      if (pass > 0 && std::abs(residual[i]) > tolerance) continue;
-      ++good;
-      n += 1.0;
-      st += t;
-      sz += points[i].across;
-      stt += t * t;
-      stz += t * points[i].across;
+    float st = 0.0F;
+    float sz = 0.0F;
+    float stt = 0.0F;
+    float stz = 0.0F;
+    good = 0.0F;
+    for (const EdgePoint& point : points) {
+      if (!point.good) continue;
+      good += 1.0F;
+      st += point.along;
+      sz += point.across;
+      stt += point.along * point.along;
+      stz += point.along * point.across;
     }
-    const double determinant = n * stt - st * st;
-    if (good < 6 || !(determinant > 1e-9)) return false;
-    side.q = (n * stz - st * sz) / determinant;
-    side.p = (stt * sz - st * stz) / determinant;
-    double squares = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double before = residual[i];
-      residual[i] = points[i].across - side.across(points[i].along);
-      size[i] = std::abs(residual[i]);
-      if (pass == 0 || std::abs(before) <= tolerance) squares += residual[i] * residual[i];
+    const float determinant = good * stt - st * st;
+    if (good < 6.0F || !(determinant > 1e-6F)) return false;
+    q = (good * stz - st * sz) / determinant;
+    p = (stt * sz - st * stz) / determinant;
+    float squares = 0.0F;
+    for (EdgePoint& point : points) {
+      point.residual = point.across - p - q * point.along;
+      if (point.good) squares += point.residual * point.residual;
     }
-    const auto middle = size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2);
-    std::nth_element(size.begin(), middle, size.end());
-    const double next = std::max(tolerance_floor, 3.0 * 1.4826 * *middle);
-    const bool all_agree = good == points.size() && *std::max_element(size.begin(), size.end()) <= next;
-    if (all_agree || pass + 1 == kPasses) {
-      const double variance = points_per_independent_one(residual, tolerance) * squares / std::max(1.0, n - 2.0);
-      side.rms = std::sqrt(squares / n);
-      side.covariance << stt, -st, -st, n;
-      side.covariance *= variance / determinant;
+    const float tolerance = std::max(tolerance_floor, 3.0F * robust_sigma(points));
+    bool changed = false;
+    for (const EdgePoint& point : points) changed = changed || point.good != (std::abs(point.residual) <= tolerance);
+    if (!changed || pass + 1 == kPasses) {
+      const double variance = points_per_independent_one(points) * static_cast<double>(squares) /
+                              std::max(1.0, static_cast<double>(good) - 2.0);
+      side.rms = std::sqrt(static_cast<double>(squares / good));
+      side.covariance << static_cast<double>(stt), -static_cast<double>(st), -static_cast<double>(st),
+          static_cast<double>(good);
+      side.covariance *= variance / static_cast<double>(determinant);
       break;
     }
-    tolerance = next;
+    for (EdgePoint& point : points) point.good = std::abs(point.residual) <= tolerance;
   }
+  side.p += static_cast<double>(p);
+  side.q += static_cast<double>(q);
   return static_cast<double>(good) >= parameters.min_good_share * static_cast<double>(wanted);
 }
 
-int rows_of(const Side& side, int& first) {
-  first = static_cast<int>(std::ceil(side.from));
-  return static_cast<int>(std::floor(side.to)) - first + 1;
+// The whole positions along a side.
+struct Steps {
+  int first = 0;
+  int count = 0;
+};
+
+Steps steps_of(const Side& side) {
+  const int first = static_cast<int>(std::ceil(side.from));
+  return {first, static_cast<int>(std::floor(side.to)) - first + 1};
 }
 
-// Where the mask begins near the side, to half a pixel.
-bool fit_to_mask(const Mask& mask, const OutlineParameters& parameters, Side& side) {
+// Where the mask begins near the side, to half a pixel. `lines`: the mask for an upright side, its transpose for a
+// lying one.
+bool fit_to_mask(const Mask& lines, const OutlineParameters& parameters, EdgePoints& points, Side& side) {
   constexpr int kReach = 6;
-  int first = 0;
-  const int count = rows_of(side, first);
-  const int limit_along = side.upright ? mask.height : mask.width;
-  const int limit_across = side.upright ? mask.width : mask.height;
-  const auto at = [&](int along, int across) {
-    if (across < 0 || across >= limit_across) return 0;
-    return static_cast<int>(side.upright ? mask.at(across, along) : mask.at(along, across));
-  };
-  std::vector<EdgePoint> points;
-  for (int k = 0; k < count; ++k) {
-    const int along = first + k;
-    if (along < 0 || along >= limit_along) continue;
-    const int start = static_cast<int>(std::lround(side.across(along)));
-    const int step = side.inside_after ? 1 : -1;
-    // From outside inwards: the first mask pixel that the next two agree with.
-    for (int d = -kReach; d <= kReach; ++d) {
-      const int here = start + step * d;
-      if (at(along, here) != 0 && at(along, here + step) != 0 && at(along, here + 2 * step) != 0) {
-        if (d > -kReach) points.push_back({static_cast<double>(along), here - 0.5 * step});
-        break;
-      }
-    }
+  constexpr int kAgreeing = 3;  // pixels that follow each other make a beginning
+  const Steps steps = steps_of(side);
+  points.clear();
+  for (int along = std::max(0, steps.first); along < std::min(lines.height(), steps.first + steps.count); ++along) {
+    const double across = side.across(along);
+    const int start = static_cast<int>(std::lround(across));
+    // From outside inwards.
+    const int begin = side.inside_after ? start - kReach : start - kReach - (kAgreeing - 1);
+    std::uint64_t bits = lines.window(begin, along) & imaging::low_bits(2 * kReach + kAgreeing);
+    bits &= (bits >> 1) & (bits >> 2);
+    if (bits == 0) continue;
+    const int inner = side.inside_after ? __builtin_ctzll(bits) : 63 - __builtin_clzll(bits);
+    if (inner == (side.inside_after ? 0 : 2 * kReach)) continue;  // it may begin further out
+    const double edge = side.inside_after ? begin + inner - 0.5 : begin + inner + (kAgreeing - 1) + 0.5;
+    points.push_back({static_cast<float>(along - side.middle), static_cast<float>(edge - across), 0.0F, true});
   }
-  return fit_line(points, static_cast<std::size_t>(std::max(count, 6)), 0.8, parameters, side);
+  constexpr float kTolerance = 0.8F;  // px
+  return fit_line(points, static_cast<std::size_t>(std::max(steps.count, 6)), kTolerance, parameters, side);
 }
 
 // Where the contrast's step lies, by its area within two and a half pixels of the line, row by row.
 constexpr int kLevelFrom = 3;  // px from the line, beyond its blur
 constexpr int kLevelTo = 5;
-bool fit_to_contrast(const PlaneImage& contrast, const OutlineParameters& parameters, Side& side) {
-  int first = 0;
-  const int count = rows_of(side, first);
+bool fit_to_contrast(const PlaneImage& contrast, const OutlineParameters& parameters, EdgePoints& points, Side& side) {
+  const Steps steps = steps_of(side);
   const int limit_along = side.upright ? contrast.height : contrast.width;
   const int limit_across = side.upright ? contrast.width : contrast.height;
-  const std::ptrdiff_t step = side.upright ? 1 : contrast.width;
-  std::vector<EdgePoint> points;
-  for (int k = 0; k < count; ++k) {
-    const int along = first + k;
-    if (along < 0 || along >= limit_along) continue;
-    const int middle = static_cast<int>(std::lround(side.across(along)));
+  const std::ptrdiff_t step = side.upright ? 1 : contrast.stride();
+  const auto min_span = static_cast<float>(parameters.min_span);
+  points.clear();
+  for (int along = std::max(0, steps.first); along < std::min(limit_along, steps.first + steps.count); ++along) {
+    const double expected = side.across(along);
+    const int middle = static_cast<int>(std::lround(expected));
     // The margin around the mark may be as little as three pixels; levels come from what there is.
     const int reach_before = std::min(kLevelTo, middle);
     const int reach_after = std::min(kLevelTo, limit_across - 1 - middle);
     if (reach_before < kLevelFrom || reach_after < kLevelFrom) continue;
     const float* centre = side.upright ? contrast.row(along) + middle : contrast.row(middle) + along;
-    double before = 0.0;
-    double after = 0.0;
-    for (int d = kLevelFrom; d <= reach_before; ++d) before += static_cast<double>(centre[-d * step]);
-    for (int d = kLevelFrom; d <= reach_after; ++d) after += static_cast<double>(centre[d * step]);
-    before /= reach_before - kLevelFrom + 1;
-    after /= reach_after - kLevelFrom + 1;
-    const double span = side.inside_after ? after - before : before - after;
-    if (span < parameters.min_span) continue;
-    double sum = 0.0;
-    for (int d = -2; d <= 2; ++d) sum += static_cast<double>(centre[d * step]);
+    float before = 0.0F;
+    float after = 0.0F;
+    if (reach_before == kLevelTo && reach_after == kLevelTo) {
+      before = (centre[-3 * step] + centre[-4 * step] + centre[-5 * step]) * (1.0F / 3.0F);
+      after = (centre[3 * step] + centre[4 * step] + centre[5 * step]) * (1.0F / 3.0F);
+    } else {
+      for (int d = kLevelFrom; d <= reach_before; ++d) before += centre[-d * step];
+      for (int d = kLevelFrom; d <= reach_after; ++d) after += centre[d * step];
+      before /= static_cast<float>(reach_before - kLevelFrom + 1);
+      after /= static_cast<float>(reach_after - kLevelFrom + 1);
+    }
+    const float span = side.inside_after ? after - before : before - after;
+    if (span < min_span) continue;
+    const float sum = centre[-2 * step] + centre[-step] + centre[0] + centre[step] + centre[2 * step];
     // Of the five pixels, this many lie on the `after` side of the step.
-    const double share = (sum - 5.0 * before) / (after - before);
-    const double position = middle + 2.5 - share;
-    if (std::abs(position - middle) > 2.5) continue;
-    points.push_back({static_cast<double>(along), position});
+    const float share = (sum - 5.0F * before) / (after - before);
+    const float off = 2.5F - share;
+    if (std::abs(off) > 2.5F) continue;
+    points.push_back(
+        {static_cast<float>(along - side.middle), static_cast<float>(middle - expected) + off, 0.0F, true});
   }
-  return fit_line(points, static_cast<std::size_t>(std::max(count, 6)), 0.15, parameters, side) &&
+  constexpr float kTolerance = 0.15F;  // px
+  return fit_line(points, static_cast<std::size_t>(std::max(steps.count, 6)), kTolerance, parameters, side) &&
          side.rms <= parameters.max_rms_px;
 }
 
@@ -304,13 +362,17 @@ std::optional<SquareOutline> fit_square(const PlaneImage& contrast, const Mask& 
   if (!start) return std::nullopt;
   const auto rough = corners_of(*start);
   if (!rough) return std::nullopt;
+  Mask columns;
+  imaging::transpose(mask, columns);
+  EdgePoints points;
+  points.reserve(static_cast<std::size_t>(std::max(mask.width(), mask.height())));
   std::array<Side, 4> sides;
   for (std::size_t k = 0; k < 4; ++k) {
     // Corner k lies between sides k and k + 1.
     sides[k] = side_of((*start)[k], (*rough)[(k + 3) % 4], (*rough)[k], parameters.corner_share);
     if (sides[k].to - sides[k].from < 5.0) return std::nullopt;
-    if (!fit_to_mask(mask, parameters, sides[k])) return std::nullopt;
-    if (!fit_to_contrast(contrast, parameters, sides[k])) return std::nullopt;
+    if (!fit_to_mask(sides[k].upright ? mask : columns, parameters, points, sides[k])) return std::nullopt;
+    if (!fit_to_contrast(contrast, parameters, points, sides[k])) return std::nullopt;
   }
   const auto corners = corners_of(lines_of(sides));
   if (!corners) return std::nullopt;

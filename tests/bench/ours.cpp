@@ -66,7 +66,7 @@ const mark_detector::Output& Ours::detect(const StereoPair& pair) {
   return detector_.step(input, state_);
 }
 
-std::vector<target_locator::Location> Ours::locate(const mark_detector::Output& detection) const {
+std::vector<target_locator::Location> Ours::locate(const mark_detector::Output& detection) {
   std::vector<target_locator::Location> locations;
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     target_locator::MarkObservation observation;
@@ -75,7 +75,7 @@ std::vector<target_locator::Location> Ours::locate(const mark_detector::Output& 
     observation.surface = marks_[i].surface == robot::MarkSurface::kFree ? target_locator::Surface::kFree
                                                                          : target_locator::Surface::kPlane;
     observation.size = marks_[i].size;
-    locations.push_back(target_locator::locate_mark(observation, camera_, locator_));
+    locations.push_back(target_locator::locate_mark(observation, camera_, locator_, work_));
   }
   return locations;
 }

@@ -28,7 +28,7 @@ class Ours {
   Result run(const StereoPair& pair);
   // Its two services.
   const mark_detector::Output& detect(const StereoPair& pair);
-  std::vector<target_locator::Location> locate(const mark_detector::Output& detection) const;
+  std::vector<target_locator::Location> locate(const mark_detector::Output& detection);
 
   // The detector's parts, with what each needs from the one before it.
   mark_detector::LumaShift equalise(const StereoPair& pair) const;
@@ -42,6 +42,7 @@ class Ours {
   mark_detector::MarkDetector detector_;
   mark_detector::State state_;
   target_locator::LocatorParameters locator_;
+  target_locator::LocatorWorkspace work_;
   std::vector<mark_detector::ColourRule> rules_;
   std::vector<mark_detector::FrameRule> frame_rules_;
   mark_detector::MajorityFilter filter_;

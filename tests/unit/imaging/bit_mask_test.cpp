@@ -78,6 +78,20 @@ TEST(BitMask, GrowsAndShrinksByASquare) {
   }
 }
 
+TEST(BitMask, TurnsRowsIntoColumns) {
+  for (const int width : {1, 63, 64, 65, 130}) {
+    for (const int height : {1, 64, 70, 129}) {
+      const BitMask mask = random_mask(width, height, 0.4, static_cast<unsigned>(width * height));
+      BitMask turned;
+      transpose(mask, turned);
+      ASSERT_EQ(turned.count(), mask.count());
+      for (int v = 0; v < height; ++v) {
+        for (int u = 0; u < width; ++u) ASSERT_EQ(turned.test(v, u), mask.test(u, v)) << width << " " << height;
+      }
+    }
+  }
+}
+
 TEST(BitMask, ComplementIsAllElse) {
   BitMask mask = random_mask(70, 5, 0.3, 3);
   const int64_t before = mask.count();

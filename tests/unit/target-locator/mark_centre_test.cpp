@@ -6,6 +6,7 @@
 
 #include "services/target-locator/colour_projection.hpp"
 #include "tests/unit/target-locator/synthetic_mark.hpp"
+#include "tests/unit/target-locator/whole_mask.hpp"
 
 namespace markservo::target_locator {
 namespace {
@@ -42,7 +43,7 @@ Mask exact_mask(const test::Scene& scene, const DisparityPlane& plane) {
       if (!p) continue;
       const Eigen::Vector3d off = *p - scene.centre;
       const double along = std::hypot(off.x(), off.y());
-      mask.at(x, y) = along <= 0.5 * scene.size && std::abs(off.z()) <= 0.5 * scene.size ? 1 : 0;
+      mask.set(x, y, along <= 0.5 * scene.size && std::abs(off.z()) <= 0.5 * scene.size);
     }
   }
   return mask;
@@ -63,8 +64,8 @@ TEST(CentreOfMask, WeighsPixelsByTheAreaTheyCover) {
   double sum = 0.0;
   for (int y = 0; y < 480; ++y) {
     for (int x = 0; x < 640; ++x) {
-      count += mask.at(x, y);
-      sum += mask.at(x, y) * x;
+      count += mask.test(x, y);
+      sum += mask.test(x, y) * x;
     }
   }
   EXPECT_GT(std::abs(sum / count - truth->u_left), 0.5);
@@ -94,12 +95,14 @@ struct Outlined {
 Outlined outline_of(const test::Scene& scene) {
   const auto rendered = render(scene);
   const MarkObservation observation = rendered.observation();
-  const Mask mask = unpack_mask(observation.left.patch);
-  const Contrast contrast = mark_contrast(observation.left.patch, mask);
+  MarkMasks masks;
+  prepare_masks(observation.left.patch, masks);
+  const Contrast contrast = mark_contrast(mark_colours(observation.left.patch, masks));
   EXPECT_TRUE(contrast.valid);
-  PlaneImage image = project_colours(observation.left.patch, contrast.weights);
-  for (float& value : image.data) value += contrast.offset;
-  return {fit_square(image, mask, observation.left.patch.frame, {}), *geometry::project(scene.camera, scene.centre)};
+  PlaneImage image;
+  project_colours(observation.left.patch, contrast.map, image);
+  return {fit_square(image, masks.mask, observation.left.patch.frame, {}),
+          *geometry::project(scene.camera, scene.centre)};
 }
 
 TEST(FitSquare, FindsTheCentreOfASquareTurnedAnyWay) {
@@ -128,7 +131,7 @@ TEST(FitSquare, RefusesADisc) {
   for (int y = 0; y < 60; ++y) {
     for (int x = 0; x < 60; ++x) {
       const bool inside = std::hypot(x - 30.0, y - 29.0) < 22.0;
-      mask.at(x, y) = inside ? 1 : 0;
+      mask.set(x, y, inside);
       contrast.at(x, y) = inside ? 1.0F : 0.0F;
     }
   }
@@ -137,7 +140,7 @@ TEST(FitSquare, RefusesADisc) {
 
 TEST(FitSquare, RefusesAnEmptyMaskAndOneWithoutMargin) {
   EXPECT_FALSE(fit_square(PlaneImage(40, 40), Mask(40, 40), {}, {}));
-  EXPECT_FALSE(fit_square(PlaneImage(40, 40, 1.0F), Mask(40, 40, 1), {}, {}));
+  EXPECT_FALSE(fit_square(PlaneImage(40, 40, 1.0F), test::whole_mask(40, 40), {}, {}));
 }
 
 TEST(FuseCentres, GrowsItsCovarianceWhenTheViewsContradictEachOther) {

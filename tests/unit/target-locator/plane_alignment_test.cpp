@@ -9,6 +9,7 @@
 #include "services/target-locator/plane_seed.hpp"
 #include "services/target-locator/refinement.hpp"
 #include "tests/unit/target-locator/synthetic_mark.hpp"
+#include "tests/unit/target-locator/whole_mask.hpp"
 
 namespace markservo::target_locator {
 namespace {
@@ -23,12 +24,14 @@ struct Prepared {
 Prepared prepare(const test::RenderedMark& rendered) {
   const MarkObservation observation = rendered.observation();
   Prepared p;
-  p.left = unpack_mask(observation.left.patch);
+  MarkMasks masks;
+  prepare_masks(observation.left.patch, masks);
+  p.left = masks.mask;
+  p.inside = masks.inner;
   p.right = unpack_mask(observation.right.patch);
-  p.inside = erode(p.left, 2);
-  const Eigen::Vector3f axis = texture_axis(observation.left.patch, p.left);
-  p.patch.left = project_colours(observation.left.patch, axis);
-  p.patch.right = project_colours(observation.right.patch, axis);
+  const ColourMap axis = texture_axis(mark_colours(observation.left.patch, masks).inside);
+  project_colours(observation.left.patch, axis, p.patch.left);
+  project_colours(observation.right.patch, axis, p.patch.right);
   p.patch.left_frame = observation.left.patch.frame;
   p.patch.right_frame = observation.right.patch.frame;
   p.patch.left_gradients = sobel_gradients(p.patch.left);
@@ -107,7 +110,7 @@ TEST(AlignPlane, GivesNothingWithoutTexture) {
   flat.right = flat.left;
   flat.right_rows = flat.left;
   flat.left_gradients = sobel_gradients(flat.left);
-  EXPECT_FALSE(align_plane(flat, Mask(40, 40, 1), {20.0, 20.0, 0.0, 0.0, 0.0}, {}));
+  EXPECT_FALSE(align_plane(flat, test::whole_mask(40, 40), {20.0, 20.0, 0.0, 0.0, 0.0}, {}));
 }
 
 TEST(AlignPlane, GivesNothingForAnEmptyMask) {
@@ -116,15 +119,17 @@ TEST(AlignPlane, GivesNothingForAnEmptyMask) {
   patch.right = patch.left;
   patch.right_rows = patch.left;
   patch.left_gradients = sobel_gradients(patch.left);
-  EXPECT_FALSE(align_plane(patch, Mask(40, 40, 0), {}, {}));
-  EXPECT_FALSE(plane_of_masks(Mask(40, 40, 0), {}, Mask(40, 40, 1), {}));
+  EXPECT_FALSE(align_plane(patch, Mask(40, 40), {}, {}));
+  EXPECT_FALSE(plane_of_masks(Mask(40, 40), {}, test::whole_mask(40, 40), {}));
 }
 
 // What the notes on accuracy ask of single features: some 0.03 px on the mark's own colours.
 TEST(RefineMatch, PutsSingleFeaturesWithinATwentiethOfAPixelOnAverage) {
   const test::Scene scene = slanted();
   const Prepared p = prepare(render(scene));
-  const auto features = find_features(foerstner(p.patch.left_gradients, 1.0F), erode(p.left, 6), {});
+  Mask inner;
+  imaging::erode(p.left, 6, inner);
+  const auto features = find_features(foerstner(p.patch.left_gradients, 1.0F), inner, {});
   ASSERT_GT(features.size(), 15U);
   const double slope_u = true_disparity(scene, 1.0, 0.0) - true_disparity(scene, 0.0, 0.0);
   const double slope_v = true_disparity(scene, 0.0, 1.0) - true_disparity(scene, 0.0, 0.0);
@@ -146,7 +151,9 @@ TEST(RefineMatch, PutsSingleFeaturesWithinATwentiethOfAPixelOnAverage) {
 
 TEST(AlignRows, UndoesAShiftByWholeRowsExactly) {
   PlaneImage image(6, 8);
-  for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<float>(i * i % 37);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 6; ++x) image.at(x, y) = static_cast<float>((6 * y + x) * (6 * y + x) % 37);
+  }
   const PlaneImage aligned = align_rows(image, {0.0, 10.0, 1.0}, {0.0, 12.0, 1.0}, 5, 0.0);
   for (int y = 0; y < 5; ++y) {
     for (int x = 0; x < 6; ++x) EXPECT_EQ(aligned.at(x, y), image.at(x, y + 2));

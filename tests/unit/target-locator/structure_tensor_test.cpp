@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "services/target-locator/features.hpp"
+#include "tests/unit/target-locator/whole_mask.hpp"
 
 namespace markservo::target_locator {
 namespace {
@@ -27,7 +28,7 @@ TEST(Foerstner, FindsTheFourCornersOfASquare) {
   parameters.min_weight = 0.5F / 64.0F;
   parameters.min_roundness = 0.3F;
   std::vector<std::pair<int, int>> corners;
-  for (const Feature& feature : find_features(measures, Mask(10, 10, 1), parameters)) {
+  for (const Feature& feature : find_features(measures, test::whole_mask(10, 10), parameters)) {
     corners.emplace_back(feature.row, feature.column);
   }
   EXPECT_EQ(corners, (std::vector<std::pair<int, int>>{{2, 2}, {2, 7}, {7, 2}, {7, 7}}));
@@ -35,8 +36,12 @@ TEST(Foerstner, FindsTheFourCornersOfASquare) {
 
 TEST(Foerstner, GivesAFlatPatchNeitherWeightNorRoundness) {
   const CornerMeasures measures = foerstner(sobel_gradients(PlaneImage(20, 20, 80.0F)), 1.0F);
-  for (const float weight : measures.weight.data) EXPECT_EQ(weight, 0.0F);
-  for (const float roundness : measures.roundness.data) EXPECT_EQ(roundness, 0.0F);
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 0; x < 20; ++x) {
+      EXPECT_EQ(measures.weight.at(x, y), 0.0F);
+      EXPECT_EQ(measures.roundness.at(x, y), 0.0F);
+    }
+  }
 }
 
 TEST(Foerstner, FloorsTheTraceWhereGradientsAreFaint) {
@@ -66,15 +71,15 @@ TEST(SobelGradients, AreInGreyLevelsPerPixel) {
 }
 
 CornerMeasures measures_with_peaks(const std::vector<Feature>& peaks, int size) {
-  CornerMeasures measures{PlaneImage(size, size), PlaneImage(size, size, 1.0F)};
+  CornerMeasures measures{PlaneImage(size, size), PlaneImage(size, size, 1.0F), {}};
   for (const Feature& peak : peaks) measures.weight.at(peak.column, peak.row) = peak.weight;
   return measures;
 }
 
 TEST(Features, AreLocalMaximaInsideTheMask) {
   const CornerMeasures measures = measures_with_peaks({{5, 5, 20.0F}, {6, 5, 30.0F}, {15, 15, 40.0F}}, 20);
-  Mask mask(20, 20, 1);
-  mask.at(15, 15) = 0;
+  Mask mask = test::whole_mask(20, 20);
+  mask.set(15, 15, false);
   const auto features = find_features(measures, mask, {});
   ASSERT_EQ(features.size(), 1U);
   EXPECT_EQ(features[0].column, 6);
@@ -82,7 +87,8 @@ TEST(Features, AreLocalMaximaInsideTheMask) {
 }
 
 TEST(Features, CountAPlateauOnce) {
-  EXPECT_EQ(find_features(measures_with_peaks({{5, 5, 20.0F}, {6, 5, 20.0F}}, 20), Mask(20, 20, 1), {}).size(), 1U);
+  EXPECT_EQ(find_features(measures_with_peaks({{5, 5, 20.0F}, {6, 5, 20.0F}}, 20), test::whole_mask(20, 20), {}).size(),
+            1U);
 }
 
 TEST(Features, SpreadOverTheMarkInsteadOfCrowdingWhereTextureIsStrong) {
@@ -93,7 +99,7 @@ TEST(Features, SpreadOverTheMarkInsteadOfCrowdingWhereTextureIsStrong) {
   peaks.push_back({35, 35, 10.0F});
   FeatureParameters parameters;
   parameters.max_features = 4;
-  const auto features = find_features(measures_with_peaks(peaks, 40), Mask(40, 40, 1), parameters);
+  const auto features = find_features(measures_with_peaks(peaks, 40), test::whole_mask(40, 40), parameters);
   ASSERT_EQ(features.size(), 4U);
   EXPECT_EQ(features[1].column, 35);
   EXPECT_EQ(features[2].row, 35);

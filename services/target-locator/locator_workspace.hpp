@@ -1,0 +1,27 @@
+#pragma once
+
+// What the locator makes of one mark's patches on the way, in memory that is used again for the next.
+
+#include <vector>
+
+#include "services/target-locator/colour_projection.hpp"
+#include "services/target-locator/features.hpp"
+#include "services/target-locator/plane_alignment.hpp"
+#include "services/target-locator/stereo_patch.hpp"
+#include "services/target-locator/structure_tensor.hpp"
+
+namespace markservo::target_locator {
+
+struct LocatorWorkspace {
+  StereoPatch patch;
+  MarkMasks left;
+  MarkMasks right;
+  MarkColours left_colours;
+  MarkColours right_colours;
+  CornerMeasures measures;
+  std::vector<Feature> features;
+  PlaneTemplates pixels;
+  PlaneImage contrast;
+};
+
+}  // namespace markservo::target_locator
