@@ -5,6 +5,7 @@
 # are (2 billion: gigabytes), takes a negative one for a huge one, and lets a string of length 0 throw; encoding trusts
 # the length field even where it exceeds the vector. Each element is at least one byte on the wire, so a length above
 # the bytes left is a lie; and 8 * length cannot overflow an int once it is below the message's size.
+# A string must end with its only zero byte: one with a zero inside would be cut off where it is sent on.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -20,7 +21,7 @@ string(REGEX REPLACE
   code "${code}")
 string(REGEX REPLACE
   "if\\((__[A-Za-z_0-9]+_len__) > maxlen - pos\\) return -1;"
-  "if(\\1 < 1 || \\1 > maxlen - pos) return -1;"
+  "if(\\1 < 1 || \\1 > maxlen - pos || memchr((const char*)buf + offset + pos, 0, (size_t)\\1) != (const char*)buf + offset + pos + \\1 - 1) return -1;"
   code "${code}")
 
 # Encoding: a length field that disagrees with its vector is refused, and never read past.

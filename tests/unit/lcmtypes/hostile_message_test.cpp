@@ -85,6 +85,21 @@ TEST(HostileMessage, StringOfLengthZeroIsRefused) {
   EXPECT_FALSE(bus::safe_decode<StopState>(bytes.data(), bytes.size()).ok);
 }
 
+TEST(HostileMessage, StringWithAZeroInsideOrNoneAtItsEndIsRefused) {
+  StopState state{};
+  state.device = "arm";
+  std::vector<uint8_t> intact(static_cast<std::size_t>(state.getEncodedSize()));
+  ASSERT_GT(state.encode(intact.data(), 0, static_cast<int>(intact.size())), 0);
+  const std::size_t device = 8 + 24 + 4;  // behind the fingerprint, utime, session, seq and its own length
+  ASSERT_EQ(intact[device], 'a');
+  auto bytes = intact;
+  bytes[device + 1] = 0;
+  EXPECT_FALSE(bus::safe_decode<StopState>(bytes.data(), bytes.size()).ok);
+  bytes = intact;
+  bytes[device + 3] = 'm';
+  EXPECT_FALSE(bus::safe_decode<StopState>(bytes.data(), bytes.size()).ok);
+}
+
 TEST(CarelessMessage, WhoseLengthFieldExceedsItsVectorIsNotEncoded) {
   JointState state{};
   state.num_joints = 3;  // no positions
