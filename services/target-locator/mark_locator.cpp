@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kLargestSlope = 0.4;  // px of disparity per px that boxes are believed about
 constexpr int kSmallestPatch = 8;      // patch px along each axis
+constexpr double kFarthest = 1e4;      // m along each axis: nothing a robot sees is farther, and no message says so
+constexpr double kLeastKnown = 4e5;    // m^2, of a coordinate: likewise
 
 bool usable(const View& view) {
   const PatchFrame& frame = view.patch.frame;
@@ -242,6 +244,15 @@ Location locate_as_in_the_paper(const MarkObservation& observation, const geomet
   return location;
 }
 
+// Numbers as a real mark can have them; those of a camera or a box beyond all measure end elsewhere.
+bool possible(const Location& location) {
+  const auto& p_C = location.p_C;
+  const Eigen::Array3d variances = location.covariance.diagonal();
+  return p_C.allFinite() && p_C.y() > 0.0 && p_C.cwiseAbs().maxCoeff() <= kFarthest &&
+         location.covariance.allFinite() && variances.minCoeff() > 0.0 && variances.maxCoeff() <= kLeastKnown &&
+         location.normal_C.allFinite();
+}
+
 }  // namespace
 
 bool valid_camera(const geometry::StereoCamera& camera) {
@@ -280,9 +291,7 @@ Location locate_mark(const MarkObservation& observation, const geometry::StereoC
   } else {
     location = locate_plane(observation, camera, parameters, work);
   }
-  if (location.status == Status::kLocated && !(location.p_C.allFinite() && location.covariance.allFinite())) {
-    location.status = Status::kInconsistent;
-  }
+  if (location.status == Status::kLocated && !possible(location)) location.status = Status::kInconsistent;
   if (clipped) location.status = Status::kClipped;
   if (location.status != Status::kLocated) {
     location.p_C.setZero();

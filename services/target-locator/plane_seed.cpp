@@ -80,7 +80,9 @@ PlaneSeed seed_plane(const StereoPatch& patch, PlaneTemplates& pixels, const Dis
   const PlaneTemplate& t = pixels.rough;
   if (t.size() < 2 || patch.right_rows.width < 4) return {guess, -1.0};
   const double step = patch.right_frame.scale;
-  const int steps = static_cast<int>(std::ceil(std::max(0.0, reach) / step));
+  // Shifted by more than its width the right view shows nothing; a box can say anything.
+  const double far = static_cast<double>(patch.right_rows.width);
+  const int steps = static_cast<int>(std::ceil(std::min(far, std::max(0.0, reach / step))));
   std::vector<float>& warped = pixels.warped;
   double best = -2.0;
   double best_shift = 0.0;
