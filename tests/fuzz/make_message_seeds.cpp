@@ -1,0 +1,145 @@
+// Writes the seeds of messages_fuzz: one valid message of each type, the larger ones filled.
+// usage: make_message_seeds FOLDER     (run it again when a message type changes; FOLDER is corpus/messages_fuzz)
+
+#include <cstdio>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+
+#include "tests/fuzz/channel_types.hpp"
+
+namespace markservo::fuzz {
+namespace {
+
+// What every message says of itself, and what its rules ask for.
+template <class M>
+M valid_message() {
+  M message{};
+  if constexpr (bus::has_seq<M>::value) {
+    message.session = 1;
+    message.seq = 1;
+  }
+  return message;
+}
+
+StereoCalibration calibration() {
+  return {784.0, 784.0, 319.5, 319.5, 239.5, 0.065};
+}
+
+template <>
+StereoFrame valid_message<StereoFrame>() {
+  StereoFrame frame{};
+  frame.session = 1;
+  frame.seq = 1;
+  frame.calibration = calibration();
+  frame.width = 8;
+  frame.height = 8;
+  frame.encoding = StereoFrame::ENCODING_JPEG;
+  const cv::Mat image(frame.height, frame.width, CV_8UC3, cv::Scalar(40, 35, 190));
+  cv::imencode(".jpg", image, frame.left);
+  frame.right = frame.left;
+  frame.left_size = static_cast<int32_t>(frame.left.size());
+  frame.right_size = static_cast<int32_t>(frame.right.size());
+  return frame;
+}
+
+MarkView view() {
+  MarkView view{};
+  view.seen = 1;
+  view.width = 8;
+  view.height = 8;
+  view.patch.scale = 1;
+  view.patch.width = 8;
+  view.patch.height = 8;
+  view.patch.bgr.resize(8 * 8 * 3, 100);
+  view.patch.bgr_size = static_cast<int32_t>(view.patch.bgr.size());
+  view.patch.mask.resize(8, 0xff);
+  view.patch.mask_size = static_cast<int32_t>(view.patch.mask.size());
+  return view;
+}
+
+template <>
+MarkDetection valid_message<MarkDetection>() {
+  MarkDetection detection{};
+  detection.session = 1;
+  detection.seq = 1;
+  detection.calibration = calibration();
+  detection.width = 8;
+  detection.height = 8;
+  DetectedMark mark{};
+  mark.name = "red";
+  mark.left = view();
+  mark.right = view();
+  detection.marks = {mark};
+  detection.num_marks = 1;
+  return detection;
+}
+
+template <>
+TargetPose valid_message<TargetPose>() {
+  TargetPose pose{};
+  pose.session = 1;
+  pose.seq = 1;
+  LocatedMark mark{};
+  mark.name = "red";
+  pose.marks = {mark};
+  pose.num_marks = 1;
+  return pose;
+}
+
+template <>
+StereoMatches valid_message<StereoMatches>() {
+  StereoMatches matches{};
+  matches.session = 1;
+  matches.seq = 1;
+  MarkMatches mark{};
+  mark.name = "red";
+  mark.num_matches = 1;
+  for (auto* values : {&mark.u_left, &mark.v_left, &mark.u_right, &mark.v_right, &mark.residual})
+    values->assign(1, 0.0);
+  matches.marks = {mark};
+  matches.num_marks = 1;
+  return matches;
+}
+
+template <>
+JointState valid_message<JointState>() {
+  JointState state{};
+  state.session = 1;
+  state.seq = 1;
+  state.num_joints = 3;
+  state.position.assign(3, 0.0);
+  state.speed.assign(3, 0.0);
+  return state;
+}
+
+template <class M>
+void write(const std::string& folder, uint8_t index) {
+  const M message = valid_message<M>();
+  if (const std::string why = bus::broken_rule(message); !why.empty()) {
+    std::fprintf(stderr, "the seed of %s is not valid: %s\n", M::getTypeName(), why.c_str());
+  }
+  std::vector<uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
+  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  bytes.insert(bytes.begin(), index);
+  std::ofstream(folder + "/" + M::getTypeName(), std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+template <class... Types>
+void write_all(const std::string& folder, Channels<Types...>) {
+  uint8_t index = 0;
+  (write<Types>(folder, index++), ...);
+}
+
+}  // namespace
+}  // namespace markservo::fuzz
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: make_message_seeds FOLDER\n");
+    return 2;
+  }
+  markservo::fuzz::write_all(argv[1], markservo::fuzz::ChannelTypes{});
+  return 0;
+}

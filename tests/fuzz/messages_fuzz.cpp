@@ -1,0 +1,44 @@
+// The bus's way from bytes to messages: whatever bytes arrive on a channel of any type give a message that keeps its
+// type's rules or a reason; what is accepted can be sent again, and arrives as it was.
+// Input: one byte that tells the type, then the message with its fingerprint.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/bus/safe_decode.hpp"
+#include "tests/fuzz/channel_types.hpp"
+#include "tests/fuzz/require.hpp"
+
+namespace markservo::bus {
+namespace {
+
+using fuzz::require;
+
+template <class M>
+void receive(const uint8_t* bytes, std::size_t size) {
+  const Decoded<M> decoded = safe_decode<M>(bytes, size);
+  require(decoded.ok == decoded.error.empty(), "what cannot be decoded has a reason");
+  if (!decoded.ok || !broken_rule(decoded.message).empty()) return;
+  require(decoded.message.getEncodedSize() == static_cast<int>(size), "a message is as long as its bytes");
+  std::vector<uint8_t> sent(size);
+  require(decoded.message.encode(sent.data(), 0, static_cast<int>(size)) == static_cast<int>(size),
+          "what is accepted can be sent");
+  const Decoded<M> again = safe_decode<M>(sent.data(), sent.size());
+  require(again.ok && broken_rule(again.message).empty(), "what is sent is accepted");
+}
+
+template <class... Types>
+void receive_any(std::size_t number, const uint8_t* bytes, std::size_t size, fuzz::Channels<Types...> /*types*/) {
+  using Receive = void (*)(const uint8_t*, std::size_t);
+  constexpr Receive kReceivers[] = {receive<Types>...};
+  kReceivers[number % sizeof...(Types)](bytes, size);
+}
+
+}  // namespace
+}  // namespace markservo::bus
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, std::size_t size) {
+  if (size > 0) markservo::bus::receive_any(bytes[0], bytes + 1, size - 1, markservo::fuzz::ChannelTypes{});
+  return 0;
+}
