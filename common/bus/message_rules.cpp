@@ -8,11 +8,12 @@
 namespace markservo::bus {
 namespace {
 
-constexpr int32_t kMaxImageSide = 16384;  // px
-constexpr double kMaxCovariance = 1e6;    // m^2; beyond it the value says nothing
-constexpr double kMaxMarkVariance = 4e5;  // m^2; an answer may add two marks' and stays below the above
-constexpr double kMaxPosition = 1e4;      // m; nothing a robot sees or reaches is farther
-constexpr double kMaxAngle = 1e4;         // rad, of a joint
+constexpr int32_t kMaxImageSide = 16384;               // px
+constexpr int64_t kMaxFramePixels = int64_t{1} << 25;  // 100 MB a side as BGR; a JPEG of a few bytes can claim any size
+constexpr double kMaxCovariance = 1e6;                 // m^2; beyond it the value says nothing
+constexpr double kMaxMarkVariance = 4e5;               // m^2; an answer may add two marks' and stays below the above
+constexpr double kMaxPosition = 1e4;                   // m; nothing a robot sees or reaches is farther
+constexpr double kMaxAngle = 1e4;                      // rad, of a joint
 
 bool all_finite(std::initializer_list<double> values) {
   for (const double value : values) {
@@ -118,9 +119,11 @@ std::string covariance_violation(const Covariance3& c, double most) {
 
 std::string violation(const StereoFrame& frame) {
   if (auto why = size_violation(frame.width, frame.height); !why.empty()) return why;
+  const int64_t pixels = static_cast<int64_t>(frame.width) * frame.height;
+  if (pixels > kMaxFramePixels) return wrong("width * height", static_cast<double>(pixels), "at most 33554432 px");
   if (auto why = calibration_violation(frame.calibration); !why.empty()) return why;
   if (frame.encoding == StereoFrame::ENCODING_BGR8) {
-    const int64_t size = static_cast<int64_t>(frame.width) * frame.height * 3;
+    const int64_t size = 3 * pixels;
     if (frame.left_size != size) return wrong("left_size", frame.left_size, "width * height * 3 bytes for BGR8");
     if (frame.right_size != size) return wrong("right_size", frame.right_size, "width * height * 3 bytes for BGR8");
   } else if (frame.encoding != StereoFrame::ENCODING_JPEG) {

@@ -46,6 +46,18 @@ TEST(StereoFrameRules, RefuseImpossibleSizesAndCalibrations) {
   EXPECT_NE(violation(frame).find("encoding"), std::string::npos);
 }
 
+// What a small message can make a reader decode.
+TEST(StereoFrameRules, RefuseMorePixelsThanAVideoCameraHas) {
+  auto frame = small_frame();
+  frame.encoding = StereoFrame::ENCODING_JPEG;
+  frame.width = 4096;
+  frame.height = 3072;
+  EXPECT_EQ(violation(frame), "");
+  frame.width = 16384;
+  frame.height = 16384;
+  EXPECT_NE(violation(frame).find("width * height"), std::string::npos);
+}
+
 TEST(JointCommandRules, RefuseWhatAnArmMustNotTry) {
   JointCommand command{};
   command.num_joints = 1;
