@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <markservo/ServiceStatus.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/bus/service.hpp"
