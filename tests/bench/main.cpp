@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "common/robot/configuration_error.hpp"
+#include "tests/bench/bench_marks.hpp"
 #include "tests/bench/report.hpp"
 
 namespace markservo::bench {
@@ -21,20 +21,6 @@ struct Options {
   int num_rounds = 7;
   bool json = false;
 };
-
-constexpr std::size_t kNumMarks = 3;
-
-// The hand and the first targets, flat ones of known size.
-std::vector<robot::MarkDescription> choose_marks(const robot::RobotDescription& robot, const std::string& file) {
-  std::vector<robot::MarkDescription> marks;
-  for (const robot::MarkDescription& mark : robot.marks) {
-    if (marks.size() < kNumMarks && mark.surface == robot::MarkSurface::kPlane && mark.size > 0.0)
-      marks.push_back(mark);
-  }
-  if (marks.size() == kNumMarks) return marks;
-  throw ConfigurationError(file + ": marks: " + std::to_string(marks.size()) +
-                           " flat ones with a size; allowed: 3 or more");
-}
 
 int run(const Options& options) {
   cv::setNumThreads(1);
