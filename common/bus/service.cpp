@@ -1,5 +1,6 @@
 #include "common/bus/service.hpp"
 
+#include <malloc.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -79,9 +80,19 @@ int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const 
   return kExitStopped;
 }
 
+// A service needs the same memory again for every frame. By default glibc gives it back to the system in between, and
+// taking it anew, page by page, cost a tenth of the way from frame to command.
+void keep_freed_memory() {
+  constexpr int kLargestOnHeap = 32 << 20;  // bytes; the most glibc allows, and above any usual frame
+  constexpr int kKeptAtMost = 64 << 20;     // bytes, free at the end of the heap
+  mallopt(M_MMAP_THRESHOLD, kLargestOnHeap);
+  mallopt(M_TRIM_THRESHOLD, kKeptAtMost);
+}
+
 }  // namespace
 
 int run_service(const ServiceInfo& info, Service& service, int argc, char** argv) {
+  keep_freed_memory();
   CLI::App app(info.description, info.name);
   CommonOptions options;
   add_common_options(app, options);
