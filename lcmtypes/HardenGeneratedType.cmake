@@ -24,6 +24,12 @@ string(REGEX REPLACE
   "if(\\1 < 1 || \\1 > maxlen - pos || memchr((const char*)buf + offset + pos, 0, (size_t)\\1) != (const char*)buf + offset + pos + \\1 - 1) return -1;"
   code "${code}")
 
+# Decoding into a message that held another: an array of length 0 is skipped, and would keep the other's elements.
+string(REGEX REPLACE
+  "(\n *)if\\(${count}\\) {(\n *if\\(${count} < 0[^\n]*\n *${vector}\\.resize\\()"
+  "\\1if(this->\\2 == 0) this->\\5.clear();\\1if(this->\\2) {\\3"
+  code "${code}")
+
 # Encoding: a length field that disagrees with its vector is refused, and never read past.
 string(REGEX REPLACE
   "(\n *)if\\(${count} > 0\\) {(\n *tlen = __[a-z0-9_]+_encode_array\\(buf, offset \\+ pos, maxlen - pos, &${vector}\\[0\\])"
@@ -45,5 +51,12 @@ list(LENGTH resizes num_resizes)
 list(LENGTH guards num_guards)
 if(NOT num_resizes EQUAL num_guards)
   message(FATAL_ERROR "${HEADER}: ${num_resizes} vectors but ${num_guards} length checks; lcm-gen writes a form unknown to HardenGeneratedType.cmake")
+endif()
+string(REGEX MATCHALL "if\\(this->[A-Za-z_0-9]+\\) {" skips "${code}")
+string(REGEX MATCHALL "\\.clear\\(\\)" clears "${code}")
+list(LENGTH skips num_skips)
+list(LENGTH clears num_clears)
+if(NOT num_skips EQUAL num_clears)
+  message(FATAL_ERROR "${HEADER}: ${num_skips} arrays that may be skipped but ${num_clears} cleared; lcm-gen writes a form unknown to HardenGeneratedType.cmake")
 endif()
 file(WRITE "${HEADER}" "${code}")

@@ -12,6 +12,29 @@
 
 namespace markservo::bus {
 
+// Decodes `data` into `message`, which may have held another: its memory is used again. Returns why not, and then
+// `message` holds anything; an empty text if all is well.
+template <class M>
+std::string decode_into(M& message, const void* data, std::size_t size) {
+  constexpr std::size_t kHashSize = 8;
+  if (size < kHashSize) return "message of " + std::to_string(size) + " bytes is shorter than a type's fingerprint";
+  if (size > static_cast<std::size_t>(std::numeric_limits<int>::max())) return "message is larger than 2 GiB";
+  int64_t fingerprint = 0;
+  __int64_t_decode_array(data, 0, static_cast<int>(kHashSize), &fingerprint, 1);
+  if (fingerprint != M::getHash()) return std::string("message is of another type than ") + M::getTypeName();
+  try {
+    const int used = message.decode(data, 0, static_cast<int>(size));
+    if (used < 0) return std::string(M::getTypeName()) + " is truncated or has an impossible length";
+    if (static_cast<std::size_t>(used) != size) {
+      return std::string(M::getTypeName()) + " has " + std::to_string(size - static_cast<std::size_t>(used)) +
+             " bytes too many";
+    }
+  } catch (const std::exception& error) {
+    return std::string(M::getTypeName()) + " cannot be decoded: " + error.what();
+  }
+  return {};
+}
+
 template <class M>
 struct Decoded {
   bool ok = false;
@@ -22,34 +45,8 @@ struct Decoded {
 template <class M>
 Decoded<M> safe_decode(const void* data, std::size_t size) {
   Decoded<M> result;
-  constexpr std::size_t kHashSize = 8;
-  if (size < kHashSize) {
-    result.error = "message of " + std::to_string(size) + " bytes is shorter than a type's fingerprint";
-    return result;
-  }
-  if (size > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    result.error = "message is larger than 2 GiB";
-    return result;
-  }
-  int64_t fingerprint = 0;
-  __int64_t_decode_array(data, 0, static_cast<int>(kHashSize), &fingerprint, 1);
-  if (fingerprint != M::getHash()) {
-    result.error = std::string("message is of another type than ") + M::getTypeName();
-    return result;
-  }
-  try {
-    const int used = result.message.decode(data, 0, static_cast<int>(size));
-    if (used < 0) {
-      result.error = std::string(M::getTypeName()) + " is truncated or has an impossible length";
-    } else if (static_cast<std::size_t>(used) != size) {
-      result.error = std::string(M::getTypeName()) + " has " + std::to_string(size - static_cast<std::size_t>(used)) +
-                     " bytes too many";
-    } else {
-      result.ok = true;
-    }
-  } catch (const std::exception& error) {
-    result.error = std::string(M::getTypeName()) + " cannot be decoded: " + error.what();
-  }
+  result.error = decode_into(result.message, data, size);
+  result.ok = result.error.empty();
   return result;
 }
 

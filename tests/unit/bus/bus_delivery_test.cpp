@@ -37,6 +37,23 @@ TEST_F(BusDelivery, EachHandsOverAllInOrder) {
   EXPECT_EQ(only_channel(bus).skipped, 0);
 }
 
+TEST_F(BusDelivery, NoMessageCarriesAnythingOfTheOneBefore) {
+  Bus bus(parameters());
+  std::vector<std::vector<double>> seen;
+  bus.on_each<JointState>("JOINT_STATE", [&](const JointState& state) { seen.push_back(state.position); });
+  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  const std::vector<std::vector<double>> sent{{1.0, 2.0, 3.0}, {}, {4.0}, {5.0, 6.0}};
+  for (const std::vector<double>& position : sent) {
+    auto state = joint_state(1);
+    state.num_joints = static_cast<int32_t>(position.size());
+    state.position = position;
+    state.speed.assign(position.size(), 0.0);
+    publisher.publish(state);
+  }
+  settle(bus);
+  EXPECT_EQ(seen, sent);
+}
+
 TEST_F(BusDelivery, WaitingMessagesComeInTheOrderOfSubscription) {
   Bus bus(parameters());
   std::string order;

@@ -112,5 +112,36 @@ TEST(CarelessMessage, WhoseLengthFieldExceedsItsVectorIsNotEncoded) {
   EXPECT_LT(pose.encode(bytes.data(), 0, 1000), 0);
 }
 
+TEST(DecodingIntoAUsedMessage, LeavesNothingOfTheOther) {
+  JointState joints{};
+  joints.num_joints = 3;
+  joints.position.assign(3, 1.0);
+  joints.speed.assign(3, 1.0);
+  const auto without_joints = encoded_default<JointState>();
+  EXPECT_EQ(bus::decode_into(joints, without_joints.data(), without_joints.size()), "");
+  EXPECT_TRUE(joints.position.empty());
+  EXPECT_TRUE(joints.speed.empty());
+
+  TargetPose pose{};
+  pose.num_marks = 2;
+  pose.marks.resize(2);
+  const auto without_marks = encoded_default<TargetPose>();
+  EXPECT_EQ(bus::decode_into(pose, without_marks.data(), without_marks.size()), "");
+  EXPECT_TRUE(pose.marks.empty());
+}
+
+TEST(DecodingIntoAUsedMessage, UsesItsMemory) {
+  StereoFrame frame{};
+  frame.left_size = 1000;
+  frame.left.assign(1000, 7);
+  std::vector<uint8_t> bytes(static_cast<std::size_t>(frame.getEncodedSize()));
+  frame.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  frame.left.assign(1000, 0);
+  const uint8_t* const memory = frame.left.data();
+  EXPECT_EQ(bus::decode_into(frame, bytes.data(), bytes.size()), "");
+  EXPECT_EQ(frame.left, std::vector<uint8_t>(1000, 7));
+  EXPECT_EQ(frame.left.data(), memory);
+}
+
 }  // namespace
 }  // namespace markservo
