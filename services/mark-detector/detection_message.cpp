@@ -1,5 +1,7 @@
 #include "services/mark-detector/detection_message.hpp"
 
+#include <utility>
+
 namespace markservo::mark_detector {
 namespace {
 
@@ -47,6 +49,7 @@ MarkDetection make_message(const StereoFrame& frame, const Output& output) {
   message.height = frame.height;
   message.calibration = frame.calibration;
   message.num_marks = static_cast<int32_t>(output.marks.size());
+  message.marks.reserve(output.marks.size());
   for (const Finding& finding : output.marks) {
     DetectedMark mark{};
     mark.name = finding.name;
@@ -55,7 +58,7 @@ MarkDetection make_message(const StereoFrame& frame, const Output& output) {
     mark.reason = finding.reason;
     mark.left = message_of(finding.left);
     mark.right = message_of(finding.right);
-    message.marks.push_back(mark);
+    message.marks.push_back(std::move(mark));
   }
   return message;
 }
