@@ -16,6 +16,7 @@ struct LocatorWorkspace {
   StereoPatch patch;
   MarkMasks left;
   MarkMasks right;
+  Mask common;  // what is well inside in both views
   MarkColours left_colours;
   MarkColours right_colours;
   CornerMeasures measures;

@@ -6,12 +6,15 @@
 #include "services/target-locator/colour_projection.hpp"
 #include "services/target-locator/epipolar_rows.hpp"
 #include "services/target-locator/mark_centre.hpp"
+#include "services/target-locator/mask_refinement.hpp"
 #include "services/target-locator/point_cloud_centre.hpp"
+#include "services/target-locator/shared_visibility.hpp"
 
 namespace markservo::target_locator {
 namespace {
 
 constexpr double kLargestSlope = 0.4;  // px of disparity per px that boxes are believed about
+constexpr double kHidden = 0.96;       // share of a view's pixels that the other shows, below it something hides some
 constexpr int kSmallestPatch = 8;      // patch px along each axis
 constexpr double kFarthest = 1e4;      // m along each axis: nothing a robot sees is farther, and no message says so
 constexpr double kLeastKnown = 4e5;    // m^2, of a coordinate: likewise
@@ -73,10 +76,14 @@ double plane_misfit(std::vector<double> squared_scores) {
 }
 
 // The centre in one image, from the outline if it is whole, else from the mask; with what is missing in its covariance.
-std::optional<ImageCentre> image_centre(const View& view, const Mask& mask, const MarkColours& colours,
-                                        const DisparityPlane& plane, const geometry::StereoCamera& camera,
-                                        CameraSide side, double size, const LocatorParameters& parameters,
-                                        PlaneImage& contrast_plane) {
+struct SeenCentre {
+  ImageCentre centre;
+  bool outlined = false;
+};
+std::optional<SeenCentre> image_centre(const View& view, const Mask& mask, const MarkColours& colours,
+                                       const DisparityPlane& plane, const geometry::StereoCamera& camera,
+                                       CameraSide side, double size, const LocatorParameters& parameters,
+                                       PlaneImage& contrast_plane) {
   const Patch& patch = view.patch;
   const double disparity = plane.at(plane.u0, plane.v0) - (camera.cx_left - camera.cx_right);
   const double extent = size > 0.0 ? size * disparity / camera.baseline : 0.5 * (view.width + view.height);  // px
@@ -99,7 +106,7 @@ std::optional<ImageCentre> image_centre(const View& view, const Mask& mask, cons
     if (!lengths) return std::nullopt;
     const double expected = size > 0.0 ? size : lengths->mean();
     missing = (*lengths / expected - Eigen::Vector4d::Ones()).cwiseAbs().maxCoeff();
-    if (missing <= parameters.size_tolerance) return centre;
+    if (missing <= parameters.size_tolerance) return SeenCentre{*centre, true};
   } else {
     centre = centre_of_mask(mask, patch.frame, plane, camera, side);
     if (!centre) return std::nullopt;
@@ -109,7 +116,31 @@ std::optional<ImageCentre> image_centre(const View& view, const Mask& mask, cons
   }
   // A hidden strip shifts the centre by half its width.
   centre->covariance += Eigen::Matrix2d::Identity() * std::pow(0.5 * missing * extent, 2);
-  return centre;
+  return SeenCentre{*centre, false};
+}
+
+// The mark's centre from what both images show of it.
+std::optional<CentreEstimate> mark_centre(const MarkObservation& observation, const PlaneAlignment& alignment,
+                                          const geometry::StereoCamera& camera, const LocatorParameters& parameters,
+                                          LocatorWorkspace& work) {
+  const DisparityPlane& plane = alignment.plane;
+  const auto left = image_centre(observation.left, work.left.mask, work.left_colours, plane, camera, CameraSide::kLeft,
+                                 observation.size, parameters, work.contrast);
+  const auto right = image_centre(observation.right, work.right.mask, work.right_colours, plane, camera,
+                                  CameraSide::kRight, observation.size, parameters, work.contrast);
+  const bool whole = left && right && left->outlined && right->outlined;
+  if (observation.size > 0.0 && !whole) {
+    const Mask left_mask = half_covered(observation.left.patch, work.left.mask, parameters.mask_refinement);
+    const Mask right_mask = half_covered(observation.right.patch, work.right.mask, parameters.mask_refinement);
+    const auto hidden =
+        centre_of_hidden_square({left_mask, work.patch.left_frame}, {right_mask, work.patch.right_frame}, plane,
+                                alignment.row_offset, camera, observation.size, parameters.hidden_sides);
+    if (hidden) return fuse_centres(hidden, std::nullopt, alignment, camera);
+  }
+  const auto centre_of = [](const std::optional<SeenCentre>& seen) {
+    return seen ? std::make_optional(seen->centre) : std::nullopt;
+  };
+  return fuse_centres(centre_of(left), centre_of(right), alignment, camera);
 }
 
 // Where the direct alignment begins. The masks tell the plane to a pixel or so unless one of them is partly hidden;
@@ -129,7 +160,10 @@ PlaneSeed find_seed(const MarkObservation& observation, LocatorWorkspace& work, 
     if (seed.correlation > best.correlation) best = seed;
   };
   if (of_masks) consider(*of_masks);
-  consider(plane_of_boxes(observation.left, observation.right));
+  const DisparityPlane of_boxes = plane_of_boxes(observation.left, observation.right);
+  consider(of_boxes);
+  // What hides one view more than the other makes slopes of its own.
+  consider({of_boxes.u0, of_boxes.v0, of_boxes.at_centre, 0.0, 0.0});
   return best;
 }
 
@@ -139,15 +173,23 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
   location.status = Status::kTooFewMatches;
   if (static_cast<int>(work.features.size()) < parameters.min_matches) return location;
   StereoPatch& patch = work.patch;
-  make_templates(patch, work.left.inner, parameters.alignment, work.pixels);
+  Mask& inside = work.left.inner;
+  make_template(patch, inside, parameters.alignment.max_rough_pixels, work.pixels.rough);
   const PlaneSeed seed = find_seed(observation, work, parameters);
+  seen_by_both(inside, patch.left_frame, work.right.inner, patch.right_frame, seed.plane, work.common);
+  if (static_cast<double>(work.common.count()) < kHidden * static_cast<double>(inside.count())) {
+    std::swap(inside, work.common);
+    keep_within(inside, work.features);
+    make_template(patch, inside, parameters.alignment.max_rough_pixels, work.pixels.rough);
+  }
+  make_template(patch, inside, parameters.alignment.max_pixels, work.pixels.all);
   auto alignment = align_plane(patch, work.pixels, seed.plane, parameters.alignment);
   constexpr double kWorthResampling = 0.2;  // px of row offset beyond which its linear model is poor
   if (alignment && std::abs(alignment->row_offset) > kWorthResampling &&
       std::abs(alignment->row_offset) <= parameters.max_row_offset) {
     const double offset = alignment->row_offset;
     align_rows(patch.right, patch.right_frame, patch.left_frame, patch.left.height, offset, patch.right_rows);
-    alignment = align_plane(patch, work.left.inner, alignment->plane, parameters.alignment);
+    alignment = align_plane(patch, inside, alignment->plane, parameters.alignment);
     if (alignment) alignment->row_offset += offset;
   }
   if (!alignment || std::sqrt(alignment->covariance(0, 0)) > parameters.max_centre_sigma) return location;
@@ -165,8 +207,8 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
     const double u = patch.left_frame.u_of(feature.column);
     const double v = patch.left_frame.v_of(feature.row);
     const double on_plane = plane.at(u, v);
-    const auto match = refine_match(patch, feature, {on_plane, plane.along_u, plane.along_v}, &work.left.mask,
-                                    parameters.verification);
+    const auto match =
+        refine_match(patch, feature, {on_plane, plane.along_u, plane.along_v}, &inside, parameters.verification);
     if (!match) continue;
     const double residual = std::abs(match->local.disparity - on_plane);
     squared_scores.push_back(residual * residual / std::max(1e-6, match->sigma * match->sigma));
@@ -185,11 +227,7 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
   }
   alignment->covariance *= plane_misfit(std::move(squared_scores));
 
-  const auto left = image_centre(observation.left, work.left.mask, work.left_colours, plane, camera, CameraSide::kLeft,
-                                 observation.size, parameters, work.contrast);
-  const auto right = image_centre(observation.right, work.right.mask, work.right_colours, plane, camera,
-                                  CameraSide::kRight, observation.size, parameters, work.contrast);
-  const auto centre = fuse_centres(left, right, *alignment, camera);
+  const auto centre = mark_centre(observation, *alignment, camera, parameters, work);
   if (!centre) {
     location.status = Status::kInconsistent;
     return location;

@@ -3,8 +3,10 @@
 // From two views of a mark to its centre in space: the whole chain of the paper's section 3, and ours.
 
 #include "services/target-locator/features.hpp"
+#include "services/target-locator/hidden_sides.hpp"
 #include "services/target-locator/locator_workspace.hpp"
 #include "services/target-locator/mark_observation.hpp"
+#include "services/target-locator/mask_refinement.hpp"
 #include "services/target-locator/paper_matching.hpp"
 #include "services/target-locator/patch_matching.hpp"
 #include "services/target-locator/plane_alignment.hpp"
@@ -26,6 +28,8 @@ struct LocatorParameters {
   AlignmentParameters alignment;
   RefinementParameters verification = {7, false, 3, 0.25, 1.0, 0.6};  // of a plane's features, from where it says
   OutlineParameters outline;
+  HiddenSidesParameters hidden_sides;
+  MaskRefinementParameters mask_refinement;  // for marks of which something is hidden
   PaperParameters paper;
   SearchParameters search;  // free surfaces; its disparities are replaced by the boxes' where min >= max
   RefinementParameters free_refinement = {5, true, 8, 0.005, 0.7, 0.85};

@@ -20,7 +20,7 @@ struct AlignmentParameters {
   int max_pixels = 2000;              // larger masks are thinned out: neighbours repeat each other
   double outlier_sigmas = 3.5;        // pixels with larger residuals are hidden in one view, or shine
   double noise_correlation = 1.3;     // interpolation hides part of the right image's noise from the residuals
-  double disparity_floor_px = 0.008;  // what interpolation and the lens model leave, whatever the texture
+  double disparity_floor_px = 0.010;  // what interpolation and the lens model leave, whatever the texture
 };
 
 struct PlaneAlignment {

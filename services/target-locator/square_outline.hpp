@@ -16,7 +16,7 @@ struct OutlineParameters {
   double min_span = 0.35;         // step of the contrast across the outline, 1 being the average
   double min_good_share = 0.6;    // of a side's points on its line
   double max_rms_px = 0.6;        // patch px, of a side's points about its line
-  double centre_floor_px = 0.02;  // patch px, what is left of the centre's error whatever the scatter
+  double centre_floor_px = 0.025; // patch px, what is left of the centre's error whatever the scatter
 };
 
 struct SquareOutline {

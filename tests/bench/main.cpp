@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "tests/bench/accuracy.hpp"
 #include "tests/bench/bench_marks.hpp"
 #include "tests/bench/report.hpp"
 
@@ -40,7 +41,8 @@ int run(const Options& options) {
   const Agreement agreement = compare(pairs, camera, ours, opencv_chain);
   const Times times = run_rounds(make_contenders(pairs, marks, camera), options.num_rounds, pairs.size());
 
-  const nlohmann::ordered_json report = report_json(times, agreement, options.num_rounds);
+  const Accuracy accuracy = measure_accuracy(robot, marks, AccuracyParameters{});
+  const nlohmann::ordered_json report = report_json(times, agreement, accuracy, options.num_rounds);
   std::cout << (options.json ? report.dump() + "\n" : report_text(report));
   const std::vector<std::string> complaints = agreement.complaints(AgreementBounds{});
   for (const std::string& complaint : complaints) std::cerr << "perception-bench: " << complaint << "\n";

@@ -4,33 +4,12 @@
 
 #include "services/mark-detector/colour_kernel.hpp"
 #include "services/mark-detector/luma_equalisation.hpp"
+#include "tests/scenes/observation.hpp"
 
 namespace markservo::bench {
 namespace {
 
-mark_detector::ImageView view_of(const cv::Mat& image) {
-  return {image.data, image.cols, image.rows, static_cast<std::ptrdiff_t>(image.step)};
-}
-
-// As the messages between the services carry it.
-target_locator::View view_of(const mark_detector::View& found) {
-  target_locator::View view;
-  view.seen = found.seen;
-  view.clipped = found.clipped;
-  view.x = found.shape.x;
-  view.y = found.shape.y;
-  view.width = found.shape.width;
-  view.height = found.shape.height;
-  const mark_detector::Patch& patch = found.patch;
-  if (patch.scale > 0) {
-    view.patch.frame = {static_cast<double>(patch.x), static_cast<double>(patch.y), static_cast<double>(patch.scale)};
-    view.patch.width = patch.width;
-    view.patch.height = patch.height;
-    view.patch.bgr = patch.bgr.data();
-    view.patch.mask = patch.mask.data();
-  }
-  return view;
-}
+using scenes::view_of;
 
 mark_detector::Parameters parameters_for(Scan scan) {
   mark_detector::Parameters parameters;
@@ -69,12 +48,7 @@ const mark_detector::Output& Ours::detect(const StereoPair& pair) {
 std::vector<target_locator::Location> Ours::locate(const mark_detector::Output& detection) {
   std::vector<target_locator::Location> locations;
   for (std::size_t i = 0; i < marks_.size(); ++i) {
-    target_locator::MarkObservation observation;
-    observation.left = view_of(detection.marks[i].left);
-    observation.right = view_of(detection.marks[i].right);
-    observation.surface = marks_[i].surface == robot::MarkSurface::kFree ? target_locator::Surface::kFree
-                                                                         : target_locator::Surface::kPlane;
-    observation.size = marks_[i].size;
+    const target_locator::MarkObservation observation = scenes::observation_of(detection.marks[i], marks_[i]);
     locations.push_back(target_locator::locate_mark(observation, camera_, locator_, work_));
   }
   return locations;

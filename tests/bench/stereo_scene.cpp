@@ -8,77 +8,24 @@
 #include <random>
 #include <utility>
 
+#include "tests/scenes/printed_surface.hpp"
+
 namespace markservo::bench {
 namespace {
 
+using scenes::bgr;
+using scenes::mark_colour;
+using scenes::point_at;
+using scenes::Surface;
+
 constexpr int kSamples = 4;  // a pixel, along each axis
 constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
-
-// A rectangle in space with a print on it.
-struct Surface {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // m, in C
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  double width = 0.0;   // m
-  double height = 0.0;  // m
-  cv::Vec3f colour;     // brightest
-  double cell = 0.0;    // m, of the print
-  double depth = 0.0;   // share of the brightness that the print varies by
-  unsigned seed = 0;
-};
 
 // A scene: surfaces from far to near, with the marks among them.
 struct Layout {
   std::vector<Surface> surfaces;
   std::vector<MarkTruth> marks;
 };
-
-// A fixed pseudo-random number of [0, 1) for every lattice point.
-double lattice(int x, int y, unsigned seed) {
-  auto h = static_cast<std::uint32_t>(x) * 374761393U + static_cast<std::uint32_t>(y) * 668265263U + seed * 2246822519U;
-  h = (h ^ (h >> 13)) * 1274126177U;
-  h ^= h >> 16;
-  return h / 4294967296.0;
-}
-
-// Smooth noise with one cell per unit.
-double smooth_noise(double x, double y, unsigned seed) {
-  const auto fade = [](double t) { return t * t * (3.0 - 2.0 * t); };
-  const int ix = static_cast<int>(std::floor(x));
-  const int iy = static_cast<int>(std::floor(y));
-  const double tx = fade(x - ix);
-  const double ty = fade(y - iy);
-  const double top = (1.0 - tx) * lattice(ix, iy, seed) + tx * lattice(ix + 1, iy, seed);
-  const double bottom = (1.0 - tx) * lattice(ix, iy + 1, seed) + tx * lattice(ix + 1, iy + 1, seed);
-  return (1.0 - ty) * top + ty * bottom;
-}
-
-cv::Vec3f colour_at(const Surface& surface, double x, double z) {
-  const double a = x / surface.cell;
-  const double b = z / surface.cell;
-  const double print =
-      0.65 * smooth_noise(a, b, surface.seed) + 0.35 * smooth_noise(2.0 * a + 7.3, 2.0 * b + 1.9, surface.seed + 17U);
-  return surface.colour * static_cast<float>(1.0 - surface.depth * print);
-}
-
-// BGR of a hue (degrees), saturation and value (0 to 1).
-cv::Vec3f bgr(double hue, double saturation, double value) {
-  const auto channel = [&](double n) {
-    const double k = std::fmod(n + hue / 60.0, 6.0);
-    return static_cast<float>(255.0 * value * (1.0 - saturation * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0)));
-  };
-  return {channel(1.0), channel(3.0), channel(5.0)};
-}
-
-cv::Vec3f mark_colour(const robot::ColourInterval& interval) {
-  const double span = std::fmod(interval.hue_max_deg - interval.hue_min_deg + 360.0, 360.0);
-  const double saturation = interval.saturation_min + 0.65 * (interval.saturation_max - interval.saturation_min);
-  return bgr(std::fmod(interval.hue_min_deg + 0.5 * span, 360.0), saturation, 0.88);
-}
-
-// The point at `depth` that the left image shows at (u, v).
-Eigen::Vector3d point_at(const geometry::StereoCamera& camera, double u, double v, double depth) {
-  return {depth * (u - camera.cx_left) / camera.fx, depth, -depth * (v - camera.cy) / camera.fy};
-}
 
 // Muted books and small things of the marks' colours before the wall, all of it behind the marks.
 void add_clutter(const robot::CameraDescription& cameras, const std::vector<robot::MarkDescription>& marks,
@@ -164,64 +111,15 @@ Layout make_layout(const robot::CameraDescription& cameras, const std::vector<ro
   return layout;
 }
 
-// Paints one surface over the samples of a view from `origin`.
-void paint(const Surface& surface, const geometry::StereoCamera& camera, const Eigen::Vector3d& origin, double cx,
-           cv::Mat3f& samples) {
-  const auto image_of = [&](double value, double focal, double centre) { return focal * value + centre; };
-  double u_min = 1e9;
-  double u_max = -1e9;
-  double v_min = 1e9;
-  double v_max = -1e9;
-  for (const double i : {-0.5, 0.5}) {
-    for (const double j : {-0.5, 0.5}) {
-      const Eigen::Vector3d corner =
-          surface.centre + surface.axes * Eigen::Vector3d(i * surface.width, 0.0, j * surface.height) - origin;
-      const double u = image_of(corner.x() / corner.y(), camera.fx, cx);
-      const double v = image_of(-corner.z() / corner.y(), camera.fy, camera.cy);
-      u_min = std::min(u_min, u);
-      u_max = std::max(u_max, u);
-      v_min = std::min(v_min, v);
-      v_max = std::max(v_max, v);
-    }
-  }
-  const auto sample = [](double px, int limit) {
-    return std::clamp(static_cast<int>(std::floor((px + 0.5) * kSamples)), 0, limit);
-  };
-  const Eigen::Matrix3d to_surface = surface.axes.transpose();
-  const Eigen::Vector3d start = to_surface * (origin - surface.centre);
-  for (int y = sample(v_min, samples.rows); y < sample(v_max + 1.0, samples.rows); ++y) {
-    for (int x = sample(u_min, samples.cols); x < sample(u_max + 1.0, samples.cols); ++x) {
-      const double u = (x + 0.5) / kSamples - 0.5;
-      const double v = (y + 0.5) / kSamples - 0.5;
-      const Eigen::Vector3d ray = to_surface * Eigen::Vector3d((u - cx) / camera.fx, 1.0, -(v - camera.cy) / camera.fy);
-      const Eigen::Vector3d hit = start - start.y() / ray.y() * ray;
-      if (std::abs(hit.x()) > 0.5 * surface.width || std::abs(hit.z()) > 0.5 * surface.height) continue;
-      samples(y, x) = colour_at(surface, hit.x(), hit.z());
-    }
-  }
-}
-
 // What one lens shows, without noise.
 cv::Mat3f render_view(const Layout& layout, const robot::CameraDescription& cameras, bool right, double blur_px) {
-  const geometry::StereoCamera& camera = cameras.stereo;
   cv::Mat3f samples(cameras.height * kSamples, cameras.width * kSamples, cv::Vec3f(0.0F, 0.0F, 0.0F));
-  for (const Surface& surface : layout.surfaces) {
-    paint(surface, camera, {right ? camera.baseline : 0.0, 0.0, 0.0}, right ? camera.cx_right : camera.cx_left,
-          samples);
-  }
+  const scenes::Eye eye(cameras.stereo, right);
+  for (const Surface& surface : layout.surfaces) scenes::paint(surface, eye, {0, 0}, kSamples, samples);
   cv::Mat3f view;
   cv::resize(samples, view, {cameras.width, cameras.height}, 0.0, 0.0, cv::INTER_AREA);
   cv::GaussianBlur(view, view, {}, blur_px);
   return view;
-}
-
-cv::Mat expose(const cv::Mat3f& view, double sigma, cv::RNG& random) {
-  cv::Mat3f noisy(view.size());
-  random.fill(noisy, cv::RNG::NORMAL, 0.0, sigma);
-  noisy += view;
-  cv::Mat image;
-  noisy.convertTo(image, CV_8UC3);
-  return image;
 }
 
 }  // namespace
@@ -245,8 +143,8 @@ std::vector<StereoPair> render_pairs(const robot::CameraDescription& cameras,
     const int end = (k + 1) * parameters.num_pairs / parameters.num_layouts;
     for (int i = k * parameters.num_pairs / parameters.num_layouts; i < end; ++i) {
       StereoPair& pair = pairs[static_cast<std::size_t>(i)];
-      pair.left = expose(left_view, parameters.sigma, random);
-      pair.right = expose(right_view, parameters.sigma, random);
+      pair.left = scenes::expose(left_view, parameters.sigma, random);
+      pair.right = scenes::expose(right_view, parameters.sigma, random);
       pair.marks = layout.marks;
     }
   }
