@@ -69,7 +69,9 @@ void by_importance(const std::vector<Finding>& findings, int width, int height, 
 }  // namespace
 
 MarkDetector::MarkDetector(std::vector<robot::MarkDescription> marks, const Parameters& parameters)
-    : marks_(std::move(marks)), parameters_(parameters) {
+    : marks_(std::move(marks)),
+      parameters_(parameters),
+      colour_model_(marks_, parameters.chroma_min, parameters.colours) {
   check(!marks_.empty() && marks_.size() <= robot::kMaxMarks,
         std::to_string(marks_.size()) + " marks; allowed: 1 to " + std::to_string(robot::kMaxMarks));
   check(parameters_.histogram_rows >= 1, "histogram_rows below 1");
@@ -98,7 +100,7 @@ const Output& MarkDetector::step(const Input& input, State& state) const {
     if (memory.known && ++memory.age > parameters_.memory_frames) memory.known = false;
   }
   const LumaShift shift = equalise(input);
-  frame_rules(rules_, shift, state.rules);
+  frame_rules(parameters_.adapt ? colour_model_.rules(input.left, state.colours) : rules_, shift, state.rules);
 
   MarkSet everywhere;
   for (std::size_t i = 0; i < marks_.size(); ++i) everywhere.set(i);
@@ -113,6 +115,7 @@ const Output& MarkDetector::step(const Input& input, State& state) const {
     }
   }
   search_everywhere(input, shift, everywhere, state);
+  remember(input, state);
 
   for (Finding& finding : state.output.marks) {
     finding.separability = 0.0;
@@ -256,8 +259,25 @@ void MarkDetector::find_views(const Input& input, std::size_t mark, State& state
             finding.right);
   const bool complete = finding.left.seen && (single || finding.right.seen);
   if (!complete && finding.reason.empty()) finding.reason = why_unseen(finding, parameters_.min_area, single);
-  if (complete && !single) {
-    memory = {true, place_of(finding), finding.left.shape, finding.right.shape, input.left.width, input.left.height, 0};
+}
+
+// Where the marks are that both images see, and what colour they have.
+void MarkDetector::remember(const Input& input, State& state) const {
+  if (input.right.empty()) return;
+  for (std::size_t i = 0; i < marks_.size(); ++i) {
+    const Finding& finding = state.output.marks[i];
+    if (!finding.left.seen || !finding.right.seen) continue;
+    if (parameters_.adapt && marks_[i].surface == robot::MarkSurface::kPlane) {
+      // It may be another thing if it is cut by the border, so that its size says nothing, or not of the mark's colour
+      // in this light. Its place is not worth remembering.
+      if (finding.left.clipped || finding.right.clipped) continue;
+      if (!colour_model_.observe(i, input.left, finding.left.region, input.right, finding.right.region,
+                                 state.colours)) {
+        continue;
+      }
+    }
+    state.memory[i] = {
+        true, place_of(finding), finding.left.shape, finding.right.shape, input.left.width, input.left.height, 0};
   }
 }
 

@@ -13,6 +13,7 @@
 #include "common/robot/robot_description.hpp"
 #include "services/mark-detector/blobs.hpp"
 #include "services/mark-detector/colour_classifier.hpp"
+#include "services/mark-detector/colour_model.hpp"
 #include "services/mark-detector/colour_scan.hpp"
 #include "services/mark-detector/image_view.hpp"
 #include "services/mark-detector/majority_filter.hpp"
@@ -32,6 +33,8 @@ struct Parameters {
   double hole_fraction = 0.1;  // of the blob's area: holes up to this are dirt, glare or print, and belong to the mark
   int64_t noise_hole = 9;      // px; holes up to this are noise, also in marks that are free
   int memory_frames = 30;      // frames for which the place of a mark that is not seen is remembered
+  bool adapt = true;           // colour intervals follow the light
+  ColourModelParameters colours;
   // Frames from one search of the whole image to the next; between them a mark is looked for around its last place, and
   // where it was not seen in every coarse_rows-th row. 1: always everywhere.
   int full_scan_every = 5;
@@ -71,8 +74,8 @@ struct Output {
   std::vector<Finding> marks;  // every configured mark, in their order
 };
 
-// Memory of where marks were, for choosing between blobs and for where to look; and room that is used again from frame
-// to frame, so that none is asked for after the first.
+// Memory of where marks were, for choosing between blobs and for where to look, and of the light; and room that is used
+// again from frame to frame, so that none is asked for after the first.
 struct State {
   struct Memory {
     bool known = false;
@@ -87,6 +90,7 @@ struct State {
   int frames_to_full_scan = 0;
   int next_coarse_row = 0;
 
+  ColourState colours;
   std::array<BitMask, robot::kMaxMarks> left_masks;
   std::array<BitMask, robot::kMaxMarks> right_masks;
   std::vector<FrameRule> rules;
@@ -122,6 +126,7 @@ class MarkDetector {
   bool search_around(const Input& input, const LumaShift& shift, std::size_t mark, State& state) const;
   void miss(const Input& input, std::size_t mark, State& state) const;
   void find_views(const Input& input, std::size_t mark, State& state) const;
+  void remember(const Input& input, State& state) const;
   void make_view(const ImageView& image, std::size_t mark, const BlobList& list, const Blob* blob, State& state,
                  View& view) const;
   void cut_patches(const Input& input, State& state) const;
@@ -129,6 +134,7 @@ class MarkDetector {
   std::vector<robot::MarkDescription> marks_;
   Parameters parameters_;
   std::vector<ColourRule> rules_;
+  ColourModel colour_model_;
 };
 
 }  // namespace markservo::mark_detector

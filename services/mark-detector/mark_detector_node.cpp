@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <future>
 #include <iostream>
-#include <iterator>
-#include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -15,37 +12,10 @@
 #include "services/mark-detector/jpeg_size.hpp"
 #include "services/mark-detector/mark_option.hpp"
 #include "services/mark-detector/picture.hpp"
+#include "services/mark-detector/picture_file.hpp"
 
 namespace markservo::mark_detector {
 namespace {
-
-// An empty image if the bytes are no picture.
-cv::Mat decode_picture(const std::vector<uint8_t>& bytes) {
-  try {
-    return bytes.empty() ? cv::Mat() : cv::imdecode(bytes, cv::IMREAD_COLOR);
-  } catch (const cv::Exception&) {
-    return {};
-  }
-}
-
-cv::Mat read_picture(const std::string& option, const std::string& path) {
-  // Not cv::imread, which writes warnings of its own.
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  cv::Mat image = decode_picture(bytes);
-  if (image.empty()) throw ConfigurationError(option + " '" + path + "': cannot be read; allowed: a picture file");
-  return image;
-}
-
-void write_picture(const std::string& option, const std::string& path, const cv::Mat& image) {
-  bool written = false;
-  try {
-    written = cv::imwrite(path, image);
-  } catch (const cv::Exception&) {
-    written = false;
-  }
-  if (!written) throw ConfigurationError(option + " '" + path + "': cannot be written; allowed: a picture file");
-}
 
 std::runtime_error not_a_jpeg(const char* name) {
   return std::runtime_error(std::string(name) + " is no JPEG that can be read");
@@ -77,6 +47,7 @@ cv::Mat decode(const StereoFrame& frame, const std::vector<uint8_t>& side, const
 
 void MarkDetectorNode::add_options(CLI::App& app) {
   app.add_flag("--no-equalise", no_equalise_, "Take images as they are, without histogram equalisation");
+  app.add_flag("--no-adapt", no_adapt_, "Keep the marks' colour intervals as they are, whatever the light does");
   app.add_option("--mark", mark_texts_,
                  "Look for this instead of the robot's marks: NAME=hue_min:hue_max:sat_min:sat_max:val_min:val_max"
                  "[:free], hue in degrees (wraps), saturation and value 0 to 1");
@@ -117,9 +88,15 @@ void MarkDetectorNode::add_options(CLI::App& app) {
   app.add_flag("--all-blobs", all_blobs_, "Also every blob of a mark's colour, in JSON and masks")
       ->configurable(false)
       ->group(picture);
+  learn_.add_to(app);
 }
 
 void MarkDetectorNode::configure(const std::string& robot_file) {
+  learn_.check();
+  if (learn_.wanted() && (!image_file_.empty() || !mark_texts_.empty())) {
+    throw ConfigurationError("--learn: with --image or --mark; allowed: a mark of --robot-file, without them");
+  }
+  robot_file_ = robot_file;
   std::vector<robot::MarkDescription> marks;
   std::set<std::string> names;
   for (const std::string& text : mark_texts_) {
@@ -139,6 +116,7 @@ void MarkDetectorNode::configure(const std::string& robot_file) {
     }
   }
   parameters_.equalise = !no_equalise_;
+  parameters_.adapt = !no_adapt_;
   if (patch_budget_ > 0) {
     parameters_.patch.budget = patch_budget_;
   } else {
@@ -150,6 +128,10 @@ void MarkDetectorNode::configure(const std::string& robot_file) {
 }
 
 std::optional<int> MarkDetectorNode::run_alone() {
+  if (learn_.wanted()) {
+    learn_.run(robot_file_, parameters_);
+    return bus::kExitStopped;
+  }
   if (image_file_.empty()) return std::nullopt;
   const cv::Mat left = read_picture("--image", image_file_);
   cv::Mat right;

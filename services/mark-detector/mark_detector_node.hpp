@@ -1,7 +1,7 @@
 #pragma once
 
 // Reads STEREO_FRAME, writes MARK_DETECTION: one for each frame that is worked on. Or, without a bus, looks at a
-// picture.
+// picture or learns a mark's colour.
 
 #include <markservo/MarkDetection.hpp>
 #include <markservo/StereoFrame.hpp>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/bus/service.hpp"
+#include "services/mark-detector/learn_options.hpp"
 #include "services/mark-detector/mark_detector.hpp"
 
 namespace markservo::mark_detector {
@@ -26,6 +27,7 @@ class MarkDetectorNode final : public bus::Service {
   void handle(const StereoFrame& frame);
 
   bool no_equalise_ = false;
+  bool no_adapt_ = false;
   int64_t patch_budget_ = 0;  // bytes; 0: grows with the patch limit
   std::vector<std::string> mark_texts_;
   std::string image_file_;
@@ -33,6 +35,8 @@ class MarkDetectorNode final : public bus::Service {
   std::string annotated_file_;
   std::string mask_folder_;
   bool all_blobs_ = false;
+  std::string robot_file_;
+  LearnOptions learn_;
 
   Parameters parameters_;
   std::optional<MarkDetector> detector_;

@@ -1,0 +1,106 @@
+#include "services/mark-detector/light_change.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace markservo::mark_detector {
+namespace {
+
+constexpr int kBinsPerOctave = 64;  // 1.1% a bin; the median is interpolated within one
+constexpr int kOctaves = 4;         // either way
+constexpr int kZero = kBinsPerOctave * kOctaves;
+constexpr std::size_t kLevels = 256;
+constexpr int kBlock = 64;  // px
+
+using Ratios = std::array<int, 2 * kZero + 1>;  // how often each ratio occurs
+
+// Logarithm of each level, in bins.
+const std::array<int, kLevels>& logarithms() {
+  static const std::array<int, kLevels> table = [] {
+    std::array<int, kLevels> result{};
+    for (std::size_t level = 1; level < kLevels; ++level) {
+      result[level] = static_cast<int>(std::lround(kBinsPerOctave * std::log2(static_cast<double>(level))));
+    }
+    return result;
+  }();
+  return table;
+}
+
+// The ratio that half of `count` samples are below, as a place among the bins.
+double median(const Ratios& ratios, int count) {
+  const double half = 0.5 * count;
+  double below = 0.0;
+  std::size_t bin = 0;
+  while (below + ratios[bin] < half) below += ratios[bin++];
+  return static_cast<double>(bin) - 0.5 + (half - below) / ratios[bin];
+}
+
+// How many samples are within `reach` bins of a place.
+int count_near(const Ratios& ratios, double place, double reach) {
+  const int first = std::max(0, static_cast<int>(std::ceil(place - reach)));
+  const int last = std::min(2 * kZero, static_cast<int>(std::floor(place + reach)));
+  return std::accumulate(ratios.begin() + first, ratios.begin() + last + 1, 0);
+}
+
+}  // namespace
+
+LightChange light_change(const ImageView& image, const LightChangeParameters& parameters, LightSamples& samples) {
+  const bool comparable = samples.width == image.width && samples.height == image.height;
+  samples.width = image.width;
+  samples.height = image.height;
+
+  const std::array<int, kLevels>& log = logarithms();
+  std::array<Ratios, 3> ratios{};
+  std::array<int, 3> counts{};
+  std::size_t sample = 0;
+  const auto look_at = [&](const uint8_t* now) {
+    // In the first frame what was before is made up; nothing is concluded from it.
+    if (sample + 3 > samples.bgr.size()) samples.bgr.insert(samples.bgr.end(), now, now + 3);
+    uint8_t* last = &samples.bgr[sample];
+    sample += 3;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int before = last[c];
+      const int after = now[c];
+      last[c] = now[c];
+      if (std::min(before, after) < parameters.darkest || std::max(before, after) > parameters.brightest) continue;
+      const int ratio = kZero + log[static_cast<std::size_t>(after)] - log[static_cast<std::size_t>(before)];
+      ++ratios[c][static_cast<std::size_t>(std::clamp(ratio, 0, 2 * kZero))];
+      ++counts[c];
+    }
+  };
+  const int row_step = std::max(1, image.height / parameters.rows);
+  for (int v = 0, first = 0; v < image.height; v += row_step, first = (first + 1) % parameters.block_step) {
+    for (int block = first * kBlock; block < image.width; block += parameters.block_step * kBlock) {
+      const int end = std::min(image.width, block + kBlock);
+      for (int u = block + parameters.pixel_step / 2; u < end; u += parameters.pixel_step) look_at(image.pixel(u, v));
+    }
+  }
+  LightChange change;
+  change.certain = comparable;
+  double product = 1.0;
+  int told = 0;
+  std::array<bool, 3> has_told{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!comparable || counts[c] < std::max(1, parameters.least_samples)) {
+      change.certain = false;
+      continue;
+    }
+    const double place = median(ratios[c], counts[c]);
+    change.gains[c] = std::exp2((place - kZero) / kBinsPerOctave);
+    product *= change.gains[c];
+    ++told;
+    has_told[c] = true;
+    const int alike = count_near(ratios[c], place, parameters.alike_octaves * kBinsPerOctave);
+    change.certain = change.certain && alike >= parameters.alike_share * counts[c];
+  }
+  // A channel that cannot tell most likely changed as the others did; 1 would make a cast of their gain.
+  for (std::size_t c = 0; c < 3 && told > 0; ++c) {
+    if (!has_told[c]) change.gains[c] = std::pow(product, 1.0 / told);
+  }
+  return change;
+}
+
+}  // namespace markservo::mark_detector
