@@ -138,7 +138,7 @@ uint64_t BitMask::window(int u, int v) const {
 
 int64_t BitMask::count() const {
   int64_t n = 0;
-  for (const uint64_t word : words_) n += __builtin_popcountll(word);
+  for (const uint64_t word : words_) n += count_bits(word);
   return n;
 }
 

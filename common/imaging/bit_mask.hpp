@@ -77,6 +77,14 @@ class BitMask {
   std::vector<uint8_t> used_;  // of each row
 };
 
+// How many bits are set; without the instruction for it, which not every processor has (Warren, Hacker's Delight, 5-1).
+inline int count_bits(uint64_t bits) {
+  bits -= (bits >> 1) & 0x5555555555555555U;
+  bits = (bits & 0x3333333333333333U) + ((bits >> 2) & 0x3333333333333333U);
+  bits = (bits + (bits >> 4)) & 0x0F0F0F0F0F0F0F0FU;
+  return static_cast<int>((bits * 0x0101010101010101U) >> 56);
+}
+
 // The lowest n bits, 0 or more; all from 64 on.
 inline uint64_t low_bits(int n) {
   return n >= BitMask::kWordBits ? ~uint64_t{0} : (uint64_t{1} << n) - 1;

@@ -70,13 +70,12 @@ Sieve make_sieve(const FrameRule* rules, int num_rules) {
   return sieve;
 }
 
-// Does one of a block's pixels get through the sieve?
 #if HWY_TARGET == HWY_SCALAR
-// Over all bytes, as if a pixel began at each, so that the compiler can use what vectors there are.
-HWY_INLINE bool any_coloured(const uint8_t* bgr, const Sieve& sieve) {
-  constexpr int kLast = 3 * kBlock - 2;
-  uint8_t through[3 * kBlock];
-  for (int i = 0; i < kLast; ++i) {
+// Whether the pixels that begin at each of a block's bytes get through the sieve. Over all bytes, as if a pixel began
+// at each, so that the compiler can use what vectors there are; the number of bytes is fixed for the same reason.
+template <int kBytes>
+HWY_INLINE void sift_bytes(const uint8_t* bgr, const Sieve& sieve, uint8_t* through) {
+  for (int i = 0; i < kBytes; ++i) {
     const uint8_t value = std::max(bgr[i], std::max(bgr[i + 1], bgr[i + 2]));
     const uint8_t least = std::min(bgr[i], std::min(bgr[i + 1], bgr[i + 2]));
     const auto chroma = static_cast<uint8_t>(value - least);
@@ -84,11 +83,43 @@ HWY_INLINE bool any_coloured(const uint8_t* bgr, const Sieve& sieve) {
                                                 ((value >> 3) & sieve.eighths));
     through[i] = chroma >= std::max(saturated, sieve.chroma) ? 1 : 0;
   }
-  uint8_t any = 0;
-  for (int i = 0; i < kLast; i += 3) any |= through[i];
-  return any != 0;
+}
+
+// Which of a block's pixels get through the sieve; `more`: others follow in memory.
+HWY_INLINE uint64_t sift(const uint8_t* bgr, bool more, const Sieve& sieve) {
+  constexpr int kBytes = 3 * kBlock;
+  uint8_t through[kBytes] = {};
+  if (more) {
+    sift_bytes<kBytes>(bgr, sieve, through);
+  } else {
+    sift_bytes<kBytes - 2>(bgr, sieve, through);
+  }
+  uint64_t any = 0;
+  for (std::size_t i = 0; i < sizeof through; i += sizeof any) {
+    uint64_t eight = 0;
+    std::memcpy(&eight, through + i, sizeof eight);
+    any |= eight;
+  }
+  if (any == 0) return 0;
+  uint64_t bits = 0;
+  for (int u = 0; u < kBlock; ++u) bits |= uint64_t{through[3 * u]} << u;
+  return bits;
+}
+
+// Pixel by pixel, for those that got through.
+HWY_INLINE void classify_pixels(const uint8_t* pixels, uint64_t through, const FrameRule* rules, int num_rules,
+                                const LumaShift& shift, uint64_t* bits) {
+  for (; through != 0; through &= through - 1) {
+    const int u = __builtin_ctzll(through);
+    const uint8_t* p = pixels + std::ptrdiff_t{3} * u;
+    const auto added = shift[static_cast<std::size_t>(luma(p[0], p[1], p[2]))];
+    for (int k = 0; k < num_rules; ++k) {
+      bits[k] |= uint64_t{belongs(rules[k].rule, p[0], p[1], p[2], added)} << u;
+    }
+  }
 }
 #else
+// Does one of a block's pixels get through the sieve?
 HWY_INLINE bool any_coloured(const uint8_t* bgr, const Sieve& sieve) {
   const Bytes d;
   const int n = static_cast<int>(hn::Lanes(d));
@@ -108,7 +139,6 @@ HWY_INLINE bool any_coloured(const uint8_t* bgr, const Sieve& sieve) {
   }
   return !hn::AllFalse(d, hn::Ne(any, hn::Zero(d)));
 }
-#endif
 
 HWY_INLINE void extract(const uint8_t* bgr, Features& features) {
   const Levels d;
@@ -128,6 +158,56 @@ HWY_INLINE void extract(const uint8_t* bgr, Features& features) {
   }
 }
 
+// Where products of neighbours are added in one instruction, whose order is known, exact tests take no longer than
+// coarse ones.
+#define MARKSERVO_PAIRED_PRODUCTS HWY_ARCH_X86
+
+#if MARKSERVO_PAIRED_PRODUCTS
+// The sign of a p + b q for each p and q, as 16 bits.
+template <class D, class V>
+HWY_INLINE V sign_of_sum(D d, V p, V q, int a, int b) {
+  const hn::RepartitionToWide<D> wide;
+  const auto factors =
+      hn::BitCast(d, hn::Set(wide, static_cast<int32_t>((static_cast<uint32_t>(b) << 16) | static_cast<uint16_t>(a))));
+  auto unused = hn::Zero(wide);
+  const auto low = hn::ReorderWidenMulAccumulate(wide, hn::InterleaveLower(d, p, q), factors, hn::Zero(wide), unused);
+  const auto high = hn::ReorderWidenMulAccumulate(wide, hn::InterleaveUpper(d, p, q), factors, hn::Zero(wide), unused);
+  return hn::ReorderDemote2To(d, low, high);  // undoes the interleaving; saturates, which keeps signs
+}
+
+// The pixels that pass the exact tests of hue, saturation and chroma; `doubt` receives those of them whose luma decides
+// about their value.
+HWY_INLINE uint64_t belonging(const FrameRule& frame_rule, const Features& features, uint64_t& doubt) {
+  const Levels d;
+  const int n = static_cast<int>(hn::Lanes(d));
+  const ColourRule& rule = frame_rule.rule;
+  const auto minus_one = hn::Set(d, -1);
+  uint64_t bits = 0;
+  doubt = 0;
+  for (int u = 0; u < kBlock; u += n) {
+    const auto chroma = hn::Load(d, features.chroma + u);
+    const auto value = hn::Load(d, features.value + u);
+    // Negative where a test fails.
+    auto fails = hn::Sub(chroma, hn::Set(d, rule.chroma_min));
+    fails = hn::Or(fails, sign_of_sum(d, chroma, value, ColourRule::kSaturationScale, -rule.saturation_min));
+    fails = hn::Or(fails, sign_of_sum(d, chroma, value, -ColourRule::kSaturationScale, rule.saturation_max));
+    if (!rule.any_hue) {
+      const auto x = hn::Load(d, features.x + u);
+      const auto y = hn::Load(d, features.y + u);
+      const auto before_min = sign_of_sum(d, x, y, -rule.min_y, rule.min_x);
+      const auto after_max = sign_of_sum(d, x, y, rule.max_y, -rule.max_x);
+      fails = hn::Or(fails, rule.wide ? hn::And(before_min, after_max) : hn::Or(before_min, after_max));
+    }
+    const uint64_t here = bits_of(d, hn::Gt(fails, minus_one));
+    bits |= here << u;
+    if (here == 0) continue;
+    const auto uncertain =
+        hn::Or(hn::Sub(value, hn::Set(d, frame_rule.certain_min)), hn::Sub(hn::Set(d, frame_rule.certain_max), value));
+    doubt |= (here & ~bits_of(d, hn::Gt(uncertain, minus_one))) << u;
+  }
+  return bits;
+}
+#else
 // The pixels that may belong: in 16 bits, never missing one that does.
 HWY_INLINE uint64_t possible(const FrameRule& frame_rule, const Features& features) {
   const Levels d;
@@ -195,24 +275,40 @@ HWY_INLINE uint64_t exact(const FrameRule& frame_rule, const Features& features,
   return bits;
 }
 
+HWY_INLINE uint64_t belonging(const FrameRule& frame_rule, const Features& features, uint64_t& doubt) {
+  doubt = 0;
+  return possible(frame_rule, features) == 0 ? 0 : exact(frame_rule, features, doubt);
+}
+#endif  // MARKSERVO_PAIRED_PRODUCTS
+
+#endif  // HWY_TARGET
+
 uint32_t ClassifyRow(const uint8_t* bgr, int width, const FrameRule* rules, int num_rules, const LumaShift& shift,
                      uint64_t* const* words) {
   const Sieve sieve = make_sieve(rules, num_rules);
   uint32_t met = 0;
+#if HWY_TARGET != HWY_SCALAR
   Features features;
+#endif
   PixelBlock rest;
   for (int begin = 0, w = 0; begin < width; begin += kBlock, ++w) {
     const uint8_t* pixels = bgr + 3 * static_cast<std::ptrdiff_t>(begin);
     const int count = std::min(kBlock, width - begin);
     if (count < kBlock) pixels = pad_block(pixels, count, rest);
     const uint64_t within = count == kBlock ? ~uint64_t{0} : (uint64_t{1} << count) - 1;
+#if HWY_TARGET == HWY_SCALAR
+    uint64_t found[robot::kMaxMarks] = {};
+    classify_pixels(pixels, sift(pixels, begin + kBlock < width, sieve) & within, rules, num_rules, shift, found);
+    for (int k = 0; k < num_rules; ++k) {
+      const uint64_t bits = found[k];
+#else
     const bool coloured = any_coloured(pixels, sieve);
     if (coloured) extract(pixels, features);
     for (int k = 0; k < num_rules; ++k) {
       uint64_t bits = 0;
-      if (coloured && (possible(rules[k], features) & within) != 0) {
+      if (coloured) {
         uint64_t doubt = 0;
-        bits = exact(rules[k], features, doubt) & within;
+        bits = belonging(rules[k], features, doubt) & within;
         for (doubt &= within; doubt != 0; doubt &= doubt - 1) {
           const int u = __builtin_ctzll(doubt);
           const uint8_t* p = pixels + std::ptrdiff_t{3} * u;
@@ -221,6 +317,7 @@ uint32_t ClassifyRow(const uint8_t* bgr, int width, const FrameRule* rules, int 
           if (shifted < rules[k].rule.value_min || shifted > rules[k].rule.value_max) bits &= ~(uint64_t{1} << u);
         }
       }
+#endif
       words[k][w] = bits;
       met |= static_cast<uint32_t>(bits != 0) << k;
     }
@@ -228,13 +325,13 @@ uint32_t ClassifyRow(const uint8_t* bgr, int width, const FrameRule* rules, int 
   return met;
 }
 
-void CountLumaRow(const uint8_t* bgr, int width, LumaSampling sampling, LumaCounts& counts) {
+void CountLumaRow(const uint8_t* bgr, int width, LumaCounts& counts) {
   const Wide d;
   const hn::Rebind<uint8_t, Wide> bytes;
   const int n = static_cast<int>(hn::Lanes(d));
   HWY_ALIGN uint8_t lumas[kBlock];
-  int u = sampling.first * kBlock;
-  for (; u + kBlock <= width; u += sampling.step * kBlock) {
+  int u = 0;
+  for (; u + kBlock <= width; u += kBlock) {
     for (int i = 0; i < kBlock; i += n) {
       auto b8 = hn::Zero(bytes);
       auto g8 = hn::Zero(bytes);
@@ -286,8 +383,8 @@ uint32_t classify_row(const uint8_t* bgr, int width, const FrameRule* rules, std
   return HWY_DYNAMIC_DISPATCH(ClassifyRow)(bgr, width, rules, static_cast<int>(num_rules), shift, words);
 }
 
-void count_luma_row(const uint8_t* bgr, int width, LumaSampling sampling, LumaCounts& counts) {
-  HWY_DYNAMIC_DISPATCH(CountLumaRow)(bgr, width, sampling, counts);
+void count_luma_row(const uint8_t* bgr, int width, LumaCounts& counts) {
+  HWY_DYNAMIC_DISPATCH(CountLumaRow)(bgr, width, counts);
 }
 
 }  // namespace markservo::mark_detector

@@ -30,15 +30,9 @@ void frame_rules(const std::vector<ColourRule>& rules, const LumaShift& shift, s
 uint32_t classify_row(const uint8_t* bgr, int width, const FrameRule* rules, std::size_t num_rules,
                       const LumaShift& shift, uint64_t* const* words);
 
-// Which pixels of a row are counted: of its blocks of 64 from the `first` on every `step`-th.
-struct LumaSampling {
-  int first = 0;
-  int step = 1;
-};
-
 // Counts the lumas of a row of `width` pixels. Four tables, to be added up: neighbours often have the same luma, and so
 // their increments do not wait for each other.
 using LumaCounts = std::array<std::array<uint32_t, 256>, 4>;
-void count_luma_row(const uint8_t* bgr, int width, LumaSampling sampling, LumaCounts& counts);
+void count_luma_row(const uint8_t* bgr, int width, LumaCounts& counts);
 
 }  // namespace markservo::mark_detector

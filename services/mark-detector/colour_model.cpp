@@ -105,8 +105,7 @@ Measurement measure(const Pixels& pixels) {
 ColourModel::ColourModel(const std::vector<robot::MarkDescription>& marks, int chroma_min,
                          const ColourModelParameters& parameters)
     : parameters_(parameters), chroma_min_(chroma_min) {
-  check(parameters.light.rows >= 1 && parameters.light.block_step >= 1 && parameters.light.pixel_step >= 1,
-        "the light's rows, block_step or pixel_step below 1");
+  check(parameters.light.columns >= 1 && parameters.light.rows >= 1, "light's grid below 1 x 1");
   check(parameters.smoothing > 0.0 && parameters.smoothing <= 1.0, "smoothing outside (0, 1]");
   check(parameters.memory_frames >= 1, "memory_frames below 1");
   check(parameters.samples_per_side >= 1 && parameters.samples_per_side <= kMaxPerSide,

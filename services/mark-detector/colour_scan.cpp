@@ -59,7 +59,7 @@ uint32_t scan_rows(const ImageView& image, int first_row, int row_step, int leas
       uint64_t* words = rules.masks[k]->row(v);
       int count = 0;
       for (int i = 0; i < rules.masks[k]->words_per_row(); ++i) {
-        count += __builtin_popcountll(words[i]);
+        count += imaging::count_bits(words[i]);
         words[i] = 0;
       }
       rules.masks[k]->declare_empty(v);

@@ -13,7 +13,6 @@ constexpr int kBinsPerOctave = 64;  // 1.1% a bin; the median is interpolated wi
 constexpr int kOctaves = 4;         // either way
 constexpr int kZero = kBinsPerOctave * kOctaves;
 constexpr std::size_t kLevels = 256;
-constexpr int kBlock = 64;  // px
 
 using Ratios = std::array<int, 2 * kZero + 1>;  // how often each ratio occurs
 
@@ -72,11 +71,9 @@ LightChange light_change(const ImageView& image, const LightChangeParameters& pa
     }
   };
   const int row_step = std::max(1, image.height / parameters.rows);
-  for (int v = 0, first = 0; v < image.height; v += row_step, first = (first + 1) % parameters.block_step) {
-    for (int block = first * kBlock; block < image.width; block += parameters.block_step * kBlock) {
-      const int end = std::min(image.width, block + kBlock);
-      for (int u = block + parameters.pixel_step / 2; u < end; u += parameters.pixel_step) look_at(image.pixel(u, v));
-    }
+  const int column_step = std::max(1, image.width / parameters.columns);
+  for (int v = 0; v < image.height; v += row_step) {
+    for (int u = column_step / 2; u < image.width; u += column_step) look_at(image.pixel(u, v));
   }
   LightChange change;
   change.certain = comparable;

@@ -11,11 +11,10 @@
 namespace markservo::mark_detector {
 
 struct LightChangeParameters {
-  // The rows and blocks of 64 pixels that the histogram of lumas is made of, for they are at hand, and of these every
-  // few pixels: 1,200 or so, whose median is good to half a percent.
-  int rows = 60;
-  int block_step = 4;
-  int pixel_step = 8;
+  // The rows that the histogram of lumas is made of, for they are at hand, and of these every few pixels: 600, whose
+  // median is good to a percent.
+  int rows = 30;
+  int columns = 20;
   int darkest = 12;             // level; below it noise of sigma 3 and rounding hide a ratio
   int brightest = 245;          // level; above it a channel may be clipped
   int least_samples = 40;       // a channel; fewer tell nothing

@@ -8,35 +8,11 @@
 #include "services/mark-detector/colour_kernel.hpp"
 
 namespace markservo::mark_detector {
-namespace {
+namespace {}  // namespace
 
-// Blocks far apart are not what processors expect to be read next.
-void prefetch_blocks(const ImageView& image, int v, LumaSampling sampling) {
-  constexpr int kLine = 64;  // bytes
-  const std::ptrdiff_t block = std::ptrdiff_t{3} * imaging::BitMask::kWordBits;
-  const std::ptrdiff_t row = std::ptrdiff_t{3} * image.width;
-  for (std::ptrdiff_t begin = sampling.first * block; begin < row; begin += sampling.step * block) {
-    for (std::ptrdiff_t i = begin; i < std::min(row, begin + block + kLine); i += kLine) {
-      __builtin_prefetch(image.row(v) + i);
-    }
-  }
-}
-
-}  // namespace
-
-void accumulate(const ImageView& image, LumaHistogram& histogram, int row_step, int block_step) {
+void accumulate(const ImageView& image, LumaHistogram& histogram, int first_row, int row_step) {
   LumaCounts counts{};
-  constexpr int kAhead = 8;  // rows
-  for (int i = 0; i < kAhead; ++i) {
-    if (i * row_step < image.height) prefetch_blocks(image, i * row_step, {i % block_step, block_step});
-  }
-  int first = 0;
-  for (int v = 0; v < image.height; v += row_step) {
-    const int ahead = v + kAhead * row_step;
-    if (ahead < image.height) prefetch_blocks(image, ahead, {(first + kAhead) % block_step, block_step});
-    count_luma_row(image.row(v), image.width, {first, block_step}, counts);
-    first = (first + 1) % block_step;
-  }
+  for (int v = first_row; v < image.height; v += row_step) count_luma_row(image.row(v), image.width, counts);
   for (const auto& table : counts) {
     for (std::size_t i = 0; i < table.size(); ++i) histogram[i] += table[i];
   }

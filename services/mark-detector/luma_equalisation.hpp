@@ -22,9 +22,8 @@ inline int luma(int b, int g, int r) {
 
 using LumaHistogram = std::array<int64_t, 256>;
 
-// Adds the pixels of every `row_step`-th row to the histogram; of each row every `block_step`-th block of 64 pixels,
-// from row to row another one. Both 1 or more.
-void accumulate(const ImageView& image, LumaHistogram& histogram, int row_step = 1, int block_step = 1);
+// Adds the pixels of every `row_step`-th row, 1 or more, from `first_row` on, to the histogram.
+void accumulate(const ImageView& image, LumaHistogram& histogram, int first_row = 0, int row_step = 1);
 
 // What equalisation adds to a pixel of luma Y: Y'(Y) - Y, levels, -255..255. Added to B, G and R alike, it leaves hue
 // as it is.

@@ -51,9 +51,9 @@ void MajorityFilter::apply(const BitMask& mask, BitMask& result) {
   int summed = -1;  // the row whose sum was made last
   for (int v = 0; v < height; ++v) {
     // Nothing comes of rows that are empty, as are those above and below them.
-    const int used = mask.next_used(std::max(0, v - 1));
-    if (used > v + 1) {
-      v = used - 2;
+    if (mask.surely_empty(std::max(0, v - 1)) && mask.surely_empty(v) &&
+        mask.surely_empty(std::min(v + 1, height - 1))) {
+      v = std::max(v, mask.next_used(v + 1) - 2);
       continue;
     }
     for (int row = std::max(summed + 1, v - 1); row <= v; ++row) sum_row(mask, std::max(row, 0), sums_[(row + 1) % 3]);

@@ -75,7 +75,6 @@ MarkDetector::MarkDetector(std::vector<robot::MarkDescription> marks, const Para
   check(!marks_.empty() && marks_.size() <= robot::kMaxMarks,
         std::to_string(marks_.size()) + " marks; allowed: 1 to " + std::to_string(robot::kMaxMarks));
   check(parameters_.histogram_rows >= 1, "histogram_rows below 1");
-  check(parameters_.histogram_blocks >= 1, "histogram_blocks below 1");
   check(parameters_.full_scan_every >= 1, "full_scan_every below 1 frame");
   check(parameters_.coarse_rows >= 1, "coarse_rows below 1 px");
   check(parameters_.track_margin >= 0, "track_margin below 0 px");
@@ -134,8 +133,8 @@ LumaShift MarkDetector::equalise(const Input& input) const {
   if (!parameters_.equalise) return no_shift();
   LumaHistogram histogram{};
   const int step = std::max(1, input.left.height / parameters_.histogram_rows);
-  accumulate(input.left, histogram, step, parameters_.histogram_blocks);
-  if (!input.right.empty()) accumulate(input.right, histogram, step, parameters_.histogram_blocks);
+  accumulate(input.left, histogram, 0, step);
+  if (!input.right.empty()) accumulate(input.right, histogram, step / 2, step);
   return against_darkness(equalising_shift(histogram));
 }
 

@@ -26,8 +26,9 @@ namespace markservo::mark_detector {
 
 struct Parameters {
   bool equalise = true;
-  int histogram_rows = 60;     // looked at, spread over the image: of 480 every eighth, a level off at most
-  int histogram_blocks = 4;    // of these rows every fourth block of 64 px, another one from row to row
+  // Looked at in each image, spread over it, and other ones in the right image than in the left, so that of 480 every
+  // eighth counts: a level off at most. Whole rows, which processors fetch ahead.
+  int histogram_rows = 30;
   int chroma_min = 14;         // levels; below it hue is noise (sigma 3 makes 5 on grey, 11 at the 99.9th percentile)
   int64_t min_area = 60;       // px; a mark of 8 x 8 px has no texture to match
   double hole_fraction = 0.1;  // of the blob's area: holes up to this are dirt, glare or print, and belong to the mark

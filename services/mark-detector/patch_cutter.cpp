@@ -47,16 +47,29 @@ void copy_patch(const ImageView& image, const Region& mark, Patch& patch) {
   }
 }
 
-// How many pixels of the square of `side` px from (u, v) on are mark.
-int covered(const Region& mark, int u, int v, int side) {
-  int count = 0;
-  for (int j = 0; j < side; ++j) {
-    for (int i = 0; i < side; i += BitMask::kWordBits) {
-      const uint64_t bits = mark.inside.window(u + i - mark.x, v + j - mark.y);
-      count += __builtin_popcountll(bits & imaging::low_bits(std::min(side - i, BitMask::kWordBits)));
+// Adds to `counts`, one a patch pixel, how many of the `scale` pixels from column `u` of row `v` on are mark, and so
+// on.
+void count_mark(const Region& mark, int u, int v, int scale, std::vector<uint32_t>& counts) {
+  for (uint32_t& count : counts) {
+    for (int i = 0; i < scale; i += BitMask::kWordBits) {
+      const uint64_t bits = mark.inside.window(u + i - mark.x, v - mark.y);
+      count += static_cast<uint32_t>(imaging::count_bits(bits & imaging::low_bits(scale - i)));
+    }
+    u += scale;
+  }
+}
+
+// The same for scales of which many fit a word.
+void count_mark_by_words(const Region& mark, int u, int v, int scale, std::vector<uint32_t>& counts) {
+  const int per_word = BitMask::kWordBits / scale;
+  const uint64_t lowest = imaging::low_bits(scale);
+  for (std::size_t i = 0; i < counts.size(); i += static_cast<std::size_t>(per_word), u += per_word * scale) {
+    uint64_t bits = mark.inside.window(u - mark.x, v - mark.y);
+    const std::size_t end = std::min(counts.size(), i + static_cast<std::size_t>(per_word));
+    for (std::size_t k = i; bits != 0 && k < end; ++k, bits >>= scale) {
+      counts[k] += static_cast<uint32_t>(imaging::count_bits(bits & lowest));
     }
   }
-  return count;
 }
 
 // At a larger scale: averages, and pixels of which half or more is mark.
@@ -65,15 +78,28 @@ void average_patch(const ImageView& image, const Region& mark, Patch& patch) {
   const auto scale = static_cast<std::size_t>(patch.scale);
   const std::size_t row_bytes = 3 * width * scale;  // of the image
   const std::size_t mask_stride = (width + 7) / 8;
-  const uint32_t n = static_cast<uint32_t>(scale * scale);
+  const auto n = static_cast<uint32_t>(scale * scale);
+  // Exact instead of a division as long as 255 n^2 fits 32 bits.
+  constexpr uint32_t kLargest = 4096;
+  const uint64_t inverse = ((uint64_t{1} << 32) + n - 1) / n;
+  const auto divided = [&](uint32_t sum) {
+    return static_cast<uint8_t>(n <= kLargest ? (sum * inverse) >> 32 : sum / n);
+  };
   patch.column_sums.resize(row_bytes);
+  patch.mark_counts.resize(width);
   uint32_t* const columns = patch.column_sums.data();
   for (int j = 0; j < patch.height; ++j) {
     const int top = patch.y + j * patch.scale;
     std::fill_n(columns, row_bytes, 0U);
+    std::fill(patch.mark_counts.begin(), patch.mark_counts.end(), 0U);
     for (int v = top; v < top + patch.scale; ++v) {
       const uint8_t* p = image.pixel(patch.x, v);
       for (std::size_t i = 0; i < row_bytes; ++i) columns[i] += p[i];
+      if (patch.scale <= BitMask::kWordBits / 2) {
+        count_mark_by_words(mark, patch.x, v, patch.scale, patch.mark_counts);
+      } else {
+        count_mark(mark, patch.x, v, patch.scale, patch.mark_counts);
+      }
     }
     uint8_t* out = &patch.bgr[3 * width * static_cast<std::size_t>(j)];
     uint8_t* bits = &patch.mask[mask_stride * static_cast<std::size_t>(j)];
@@ -83,8 +109,8 @@ void average_patch(const ImageView& image, const Region& mark, Patch& patch) {
       for (std::size_t du = 0; du < scale; ++du, in += 3) {
         for (std::size_t c = 0; c < 3; ++c) sums[c] += in[c];
       }
-      for (std::size_t c = 0; c < 3; ++c) out[c] = static_cast<uint8_t>(sums[c] / n);
-      if (2 * covered(mark, patch.x + static_cast<int>(i * scale), top, patch.scale) >= static_cast<int>(n)) {
+      for (std::size_t c = 0; c < 3; ++c) out[c] = divided(sums[c]);
+      if (2 * patch.mark_counts[i] >= n) {
         bits[i / 8] = static_cast<uint8_t>(bits[i / 8] | (1U << (i % 8)));
       }
     }
@@ -95,8 +121,9 @@ void average_patch(const ImageView& image, const Region& mark, Patch& patch) {
 
 PatchFrame frame_patch(const Shape& box, const PatchParameters& parameters, int scale, int image_width,
                        int image_height) {
-  const Span columns = cover(box.x, box.x + box.width, parameters.margin, scale, image_width);
-  const Span rows = cover(box.y, box.y + box.height, parameters.margin, scale, image_height);
+  const int margin = std::max(parameters.margin, parameters.margin_pixels * scale);
+  const Span columns = cover(box.x, box.x + box.width, margin, scale, image_width);
+  const Span rows = cover(box.y, box.y + box.height, margin, scale, image_height);
   return {columns.begin, rows.begin, scale, columns.count, rows.count};
 }
 

@@ -14,6 +14,7 @@ namespace markservo::mark_detector {
 
 struct PatchParameters {
   int margin = 8;           // px around the mark's box: half a matching window of 15 px
+  int margin_pixels = 5;    // patch pixels around the box at least: what an outline is told by
   int limit = 128;          // patch pixels a side
   int64_t budget = 131072;  // bytes of all patches of one image pair: a message that survives default socket buffers
 };
@@ -28,6 +29,7 @@ struct Patch {
   std::vector<uint8_t> bgr;
   std::vector<uint8_t> mask;  // a bit a patch pixel, rows padded to bytes, lowest bit first: half or more is mark
   std::vector<uint32_t> column_sums;  // room for averaging
+  std::vector<uint32_t> mark_counts;  // likewise
 };
 
 // Where a patch lies, before it is cut.

@@ -17,7 +17,7 @@ struct Extent {
   double squares = 0.0;
 
   void add(int column, int row, std::uint64_t bits) {
-    const double count = __builtin_popcountll(bits);
+    const double count = imaging::count_bits(bits);
     // As if a block's pixels lay at the middle of its ends: what the centre and the scale need.
     const double middle = column + 0.5 * (__builtin_ctzll(bits) + 63 - __builtin_clzll(bits));
     n += count;

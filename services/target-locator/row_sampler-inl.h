@@ -36,6 +36,10 @@ HWY_INLINE hn::Vec<Floats> sample_row(const float* row, int width, float x0, flo
   const Floats d;
   const hn::RebindToSigned<Floats> di;
   [[maybe_unused]] constexpr int kLanes = HWY_LANES(float) < PlaneImage::kRoom ? HWY_LANES(float) : PlaneImage::kRoom;
+  // Also of what is no number.
+  constexpr float kFar = 1e6F;
+  x0 = x0 > -kFar ? std::min(x0, kFar) : -kFar;
+  step = step > -kFar ? std::min(step, kFar) : -kFar;
   auto x = hn::MulAdd(hn::Iota(d, 0.0F), hn::Set(d, step), hn::Set(d, x0));
   x = hn::Min(hn::Max(x, hn::Set(d, 1.0F)), hn::Set(d, static_cast<float>(width) - 2.001F));
   const auto whole = hn::ConvertTo(di, x);

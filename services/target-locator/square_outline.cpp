@@ -285,9 +285,11 @@ Steps steps_of(const Side& side) {
 bool fit_to_mask(const Mask& lines, const OutlineParameters& parameters, EdgePoints& points, Side& side) {
   constexpr int kReach = 6;
   constexpr int kAgreeing = 3;  // pixels that follow each other make a beginning
+  constexpr int kEvery = 2;     // it is only where the contrast is looked for
   const Steps steps = steps_of(side);
   points.clear();
-  for (int along = std::max(0, steps.first); along < std::min(lines.height(), steps.first + steps.count); ++along) {
+  for (int along = std::max(0, steps.first); along < std::min(lines.height(), steps.first + steps.count);
+       along += kEvery) {
     const double across = side.across(along);
     const int start = static_cast<int>(std::lround(across));
     // From outside inwards.
@@ -301,7 +303,7 @@ bool fit_to_mask(const Mask& lines, const OutlineParameters& parameters, EdgePoi
     points.push_back({static_cast<float>(along - side.middle), static_cast<float>(edge - across), 0.0F, true});
   }
   constexpr float kTolerance = 0.8F;  // px
-  return fit_line(points, static_cast<std::size_t>(std::max(steps.count, 6)), kTolerance, parameters, side);
+  return fit_line(points, static_cast<std::size_t>(std::max(steps.count / kEvery, 6)), kTolerance, parameters, side);
 }
 
 // Where the contrast's step lies, by its area within two and a half pixels of the line, row by row.

@@ -104,16 +104,17 @@ std::vector<Contender> make_contenders(const std::vector<StereoPair>& pairs,
                                        const std::vector<robot::MarkDescription>& marks,
                                        const geometry::StereoCamera& camera) {
   List list(pairs);
-  const auto add_ours = [&](const char* name, std::int64_t vector_target) {
-    const auto ours = std::make_shared<Ours>(marks, camera, Scan::kWholeImage);
+  const auto add_ours = [&](const char* name, Scan scan, std::int64_t vector_target) {
+    const auto ours = std::make_shared<Ours>(marks, camera, scan);
     list.add(
         name, kAllPairs, [ours](const StereoPair& pair) { benchmark::DoNotOptimize(ours->run(pair).locations.data()); },
         vector_target);
   };
   const VectorTargets targets = vector_targets();
-  add_ours(names::kOurs, 0);
-  if (targets.avx2 != 0) add_ours(names::kOursAvx2, targets.avx2);
-  add_ours(names::kOursPortable, targets.portable);
+  add_ours(names::kOurs, Scan::kWholeImage, 0);
+  add_ours(names::kTracked, Scan::kTracked, 0);
+  if (targets.avx2 != 0) add_ours(names::kOursAvx2, Scan::kWholeImage, targets.avx2);
+  add_ours(names::kOursPortable, Scan::kWholeImage, targets.portable);
   add_stages(pairs, std::make_shared<Ours>(marks, camera, Scan::kWholeImage), list);
   add_references(pairs, marks, camera, list);
   return list.take();

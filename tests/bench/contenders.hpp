@@ -13,6 +13,7 @@ namespace markservo::bench {
 
 namespace names {
 inline constexpr char kOurs[] = "ours";
+inline constexpr char kTracked[] = "tracked";
 inline constexpr char kOursAvx2[] = "ours_avx2";
 inline constexpr char kOursPortable[] = "ours_portable";
 inline constexpr char kDetect[] = "ours_detect";

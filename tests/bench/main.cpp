@@ -44,7 +44,12 @@ int run(const Options& options) {
   const Accuracy accuracy = measure_accuracy(robot, marks, AccuracyParameters{});
   const nlohmann::ordered_json report = report_json(times, agreement, accuracy, options.num_rounds);
   std::cout << (options.json ? report.dump() + "\n" : report_text(report));
-  const std::vector<std::string> complaints = agreement.complaints(AgreementBounds{});
+  // Following the marks must not be bought with answers either.
+  Ours following(marks, camera, Scan::kTracked);
+  std::vector<std::string> complaints = agreement.complaints(AgreementBounds{});
+  for (const std::string& complaint : compare(pairs, camera, following, opencv_chain).complaints(AgreementBounds{})) {
+    complaints.push_back("following the marks: " + complaint);
+  }
   for (const std::string& complaint : complaints) std::cerr << "perception-bench: " << complaint << "\n";
   return complaints.empty() ? 0 : kExitDisagree;
 }

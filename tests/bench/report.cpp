@@ -16,6 +16,7 @@ struct Row {
 // A time's key is the contender's name.
 constexpr Row kTimeRows[] = {
     {names::kOurs, "ours, whole image"},
+    {names::kTracked, "  following the marks, a whole image every 5 frames"},
     {names::kOursAvx2, "  with AVX2 and no more"},
     {names::kOursPortable, "  without vector instructions"},
     {names::kDetect, "  detection alone"},
@@ -40,6 +41,7 @@ struct RatioRow {
 };
 constexpr RatioRow kRatioRows[] = {
     {"opencv_chain", "OpenCV chain / ours", names::kOpencvChain, names::kOurs},
+    {"opencv_chain_tracked", "OpenCV chain / ours, following the marks", names::kOpencvChain, names::kTracked},
     {"opencv_chain_avx2", "OpenCV chain / ours, AVX2 and no more", names::kOpencvChain, names::kOursAvx2},
     {"opencv_chain_portable", "OpenCV chain / ours, no vectors", names::kOpencvChain, names::kOursPortable},
     {"stereobm_112_367", "StereoBM 112 to 367 / ours", names::kStereoBmNear, names::kOurs},
@@ -47,6 +49,7 @@ constexpr RatioRow kRatioRows[] = {
     {"corners_and_flow", "corners and flow / ours", names::kCornersAndFlow, names::kOurs},
     {"apriltag", "AprilTag / ours", names::kAprilTag, names::kOurs},
     {"cold_read", "ours / cold read", names::kOurs, names::kColdRead},
+    {"cold_read_tracked", "ours, following the marks / cold read", names::kTracked, names::kColdRead},
 };
 
 constexpr Row kAgreementRows[] = {

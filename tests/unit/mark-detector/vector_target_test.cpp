@@ -85,7 +85,7 @@ TEST_P(VectorTarget, CountsEveryLuma) {
     for (std::size_t u = 0; u < row.size(); u += 3)
       ++expected[static_cast<std::size_t>(luma(row[u], row[u + 1], row[u + 2]))];
     LumaCounts counts{};
-    count_luma_row(row.data(), width, {}, counts);
+    count_luma_row(row.data(), width, counts);
     for (std::size_t i = 0; i < 256; ++i) {
       ASSERT_EQ(int64_t{counts[0][i]} + counts[1][i] + counts[2][i] + counts[3][i], expected[i]) << "level " << i;
     }
