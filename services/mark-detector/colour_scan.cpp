@@ -23,6 +23,14 @@ uint32_t scan_row(const ImageView& image, int v, int left, int right, const Luma
   return met;
 }
 
+// Row v of the window into the cache.
+void prefetch(const ImageView& image, const ScanWindow& window, int v) {
+  constexpr int kLine = 64;  // bytes
+  for (const uint8_t* p = image.pixel(window.left, v); p < image.pixel(window.right, v); p += kLine) {
+    __builtin_prefetch(p);
+  }
+}
+
 }  // namespace
 
 ScanWindow whole_image(const ImageView& image) {
@@ -46,7 +54,14 @@ bool reaches_out(const Shape& shape, const ScanWindow& window, const ImageView& 
 }
 
 void scan(const ImageView& image, const ScanWindow& window, const LumaShift& shift, const ScanRules& rules) {
-  for (int v = window.top; v < window.bottom; ++v) scan_row(image, v, window.left, window.right, shift, rules);
+  // Parts of rows are not what processors expect to be read next.
+  constexpr int kAhead = 4;  // rows
+  const bool parts = window.left > 0 || window.right < image.width;
+  for (int v = window.top; parts && v < std::min(window.bottom, window.top + kAhead); ++v) prefetch(image, window, v);
+  for (int v = window.top; v < window.bottom; ++v) {
+    if (parts && v + kAhead < window.bottom) prefetch(image, window, v + kAhead);
+    scan_row(image, v, window.left, window.right, shift, rules);
+  }
 }
 
 uint32_t scan_rows(const ImageView& image, int first_row, int row_step, int least, const LumaShift& shift,

@@ -194,7 +194,7 @@ bool MarkDetector::search_around(const Input& input, const LumaShift& shift, std
   const State::Memory& memory = state.memory[mark];
   const auto scan_side = [&](const ImageView& image, const Shape& last, BitMask& mask) {
     const ScanWindow window =
-        window_around(last, parameters_.track_margin + std::max(last.width, last.height) / 4, image);
+        window_around(last, parameters_.track_margin + std::max(last.width, last.height) / 8, image);
     ScanRules rules;
     rules.add(state.rules[mark], mask);
     scan(image, window, shift, rules);

@@ -39,9 +39,9 @@ struct Parameters {
   // Frames from one search of the whole image to the next; between them a mark is looked for around its last place, and
   // where it was not seen in every coarse_rows-th row. 1: always everywhere.
   int full_scan_every = 5;
-  int coarse_rows = 8;    // px from row to row: a mark of 8 x 8 px crosses one
-  int coarse_least = 4;   // px in one of them that make the whole image worth a search
-  int track_margin = 12;  // px around a mark's last box, and a quarter of its size
+  int coarse_rows = 8;   // px from row to row: a mark of 8 x 8 px crosses one
+  int coarse_least = 4;  // px in one of them that make the whole image worth a search
+  int track_margin = 8;  // px around a mark's last box, and an eighth of its size; outside all is searched
   SelectionParameters selection;
   PatchParameters patch;
 };
