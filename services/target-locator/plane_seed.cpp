@@ -4,72 +4,33 @@
 #include <cmath>
 #include <vector>
 
+#include "services/target-locator/mask_moments.hpp"
 #include "services/target-locator/plane_template.hpp"
 
 namespace markservo::target_locator {
-namespace {
-
-// Of the masked pixels, in the image: count, centroid (px) and second moments about it (px^2).
-struct MaskMoments {
-  double count = 0.0;
-  double u = 0.0;
-  double v = 0.0;
-  double uu = 0.0;
-  double uv = 0.0;
-  double vv = 0.0;
-};
-
-MaskMoments moments_of(const Mask& mask, const PatchFrame& frame) {
-  MaskMoments m;
-  // About the mask's middle, so that sums stay small.
-  const double middle_x = 0.5 * mask.width();
-  const double middle_y = 0.5 * mask.height();
-  for (int y = 0; y < mask.height(); ++y) {
-    if (mask.surely_empty(y)) continue;
-    const double dy = y - middle_y;
-    for (int begin = mask.next(y, 0, true); begin < mask.width();) {
-      const int end = mask.next(y, begin, false);
-      const double n = end - begin;
-      const double dx = 0.5 * (begin + end - 1) - middle_x;
-      m.count += n;
-      m.u += n * dx;
-      m.v += n * dy;
-      m.uu += n * (dx * dx + (n * n - 1.0) / 12.0);
-      m.uv += n * dx * dy;
-      m.vv += n * dy * dy;
-      begin = mask.next(y, end, true);
-    }
-  }
-  if (!(m.count > 0.0)) return m;
-  const double u = m.u / m.count;
-  const double v = m.v / m.count;
-  const double unit = frame.scale * frame.scale;
-  m.uu = unit * (m.uu / m.count - u * u);
-  m.uv = unit * (m.uv / m.count - u * v);
-  m.vv = unit * (m.vv / m.count - v * v);
-  m.u = frame.u_of(middle_x + u);
-  m.v = frame.v_of(middle_y + v);
-  return m;
-}
-
-}  // namespace
 
 std::optional<DisparityPlane> plane_of_masks(const Mask& left, const PatchFrame& left_frame, const Mask& right,
                                              const PatchFrame& right_frame) {
-  const MaskMoments l = moments_of(left, left_frame);
-  const MaskMoments r = moments_of(right, right_frame);
-  if (!(l.count > 8.0) || !(r.count > 8.0) || !(l.vv > 0.5)) return std::nullopt;
+  const MaskMoments l = moments_of(left);
+  const MaskMoments r = moments_of(right);
+  if (!(l.n > 8.0) || !(r.n > 8.0) || !(l.yy > 0.5)) return std::nullopt;
+  // In image px, of the left view and of the right one.
+  const double left_unit = left_frame.scale * left_frame.scale;
+  const double right_unit = right_frame.scale * right_frame.scale;
+  const double vv = left_unit * l.yy;
+  const double left_uv = left_unit * l.xy;
+  const double right_uv = right_unit * r.xy;
   // u_right = (1 - along_u) u - along_v v + constant, v_right = v.
-  const double left_width = l.uu - l.uv * l.uv / l.vv;
-  const double right_width = r.uu - r.uv * r.uv / l.vv;
+  const double left_width = left_unit * l.xx - left_uv * left_uv / vv;
+  const double right_width = right_unit * r.xx - right_uv * right_uv / vv;
   if (!(left_width > 0.5) || !(right_width > 0.5)) return std::nullopt;
   const double stretch = std::sqrt(right_width / left_width);
   DisparityPlane plane;
-  plane.u0 = l.u;
-  plane.v0 = l.v;
-  plane.at_centre = l.u - r.u;
+  plane.u0 = left_frame.u_of(l.centre.x());
+  plane.v0 = left_frame.v_of(l.centre.y());
+  plane.at_centre = plane.u0 - right_frame.u_of(r.centre.x());
   plane.along_u = 1.0 - stretch;
-  plane.along_v = (stretch * l.uv - r.uv) / l.vv;
+  plane.along_v = (stretch * left_uv - right_uv) / vv;
   constexpr double kSteepest = 1.0;  // px per px
   if (!(std::abs(plane.along_u) < kSteepest) || !(std::abs(plane.along_v) < kSteepest)) return std::nullopt;
   return plane;

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <limits>
 #include <vector>
+
+#include "services/target-locator/edge_line.hpp"
+#include "services/target-locator/mask_moments.hpp"
 
 namespace markservo::target_locator {
 namespace {
@@ -65,67 +67,6 @@ std::optional<Eigen::Vector2d> diagonals_meet(const Corners& c) {
                    {{-b.y(), b.x()}, b.x() * c[1].y() - b.y() * c[1].x()});
 }
 
-// Calls visit(row, begin, end) for every run of the mask.
-template <class Visit>
-void for_each_run(const Mask& mask, const Visit& visit) {
-  for (int y = 0; y < mask.height(); ++y) {
-    if (mask.surely_empty(y)) continue;
-    for (int begin = mask.next(y, 0, true); begin < mask.width();) {
-      const int end = mask.next(y, begin, false);
-      visit(y, begin, end);
-      begin = mask.next(y, end, true);
-    }
-  }
-}
-
-// Central moments of a mask, per pixel.
-struct MaskMoments {
-  double n = 0.0;
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-  double xx = 0.0;
-  double xy = 0.0;
-  double yy = 0.0;
-  std::array<double, 5> fourth{};  // of x^4, x^3 y, x^2 y^2, x y^3, y^4
-};
-
-MaskMoments moments_of(const Mask& mask) {
-  MaskMoments m;
-  double sx = 0.0;
-  double sy = 0.0;
-  for_each_run(mask, [&](int y, int begin, int end) {
-    const double n = end - begin;
-    m.n += n;
-    sx += n * 0.5 * (begin + end - 1);
-    sy += n * y;
-  });
-  if (!(m.n > 0.0)) return m;
-  m.centre = {sx / m.n, sy / m.n};
-  for_each_run(mask, [&](int row, int begin, int end) {
-    // A run's moments about its own middle, then about the centre.
-    const double n = end - begin;
-    const double y = row - m.centre.y();
-    const double x = 0.5 * (begin + end - 1) - m.centre.x();
-    const double second = n * (n * n - 1.0) / 12.0;
-    const double fourth = second * (3.0 * n * n - 7.0) / 20.0;
-    const double xx = second + n * x * x;
-    const double xxx = (3.0 * second + n * x * x) * x;
-    const double xxxx = fourth + (6.0 * second + n * x * x) * x * x;
-    m.xx += xx;
-    m.xy += n * x * y;
-    m.yy += n * y * y;
-    m.fourth[0] += xxxx;
-    m.fourth[1] += xxx * y;
-    m.fourth[2] += xx * y * y;
-    m.fourth[3] += n * x * y * y * y;
-    m.fourth[4] += n * y * y * y * y;
-  });
-  m.xx /= m.n;
-  m.xy /= m.n;
-  m.yy /= m.n;
-  for (double& value : m.fourth) value /= m.n;
-  return m;
-}
-
 // The parallelogram with the mask's first, second and fourth moments: exact for a square under any affine map.
 std::optional<std::array<Line, 4>> lines_from_moments(const Mask& mask, double min_squareness) {
   const MaskMoments m = moments_of(mask);
@@ -171,102 +112,15 @@ Side side_of(const Line& line, const Eigen::Vector2d& a, const Eigen::Vector2d& 
   return side;
 }
 
-struct EdgePoint {
-  float along;     // from the side's middle
-  float across;    // from the side as it was
-  float residual;  // from the line
-  bool good;       // on the line
-};
-
-// The points of one side, in order.
-using EdgePoints = std::vector<EdgePoint>;
-
-// Neighbouring points share texture: how many of them count as one, from the correlation of their residuals.
-double points_per_independent_one(const EdgePoints& points) {
-  constexpr std::size_t kLongestLag = 8;
-  float squares = 0.0F;
-  float products = 0.0F;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].good) continue;
-    squares += points[i].residual * points[i].residual;
-    const std::size_t end = std::min(points.size(), i + kLongestLag + 1);
-    for (std::size_t k = i + 1; k < end; ++k) {
-      if (points[k].good) products += points[i].residual * points[k].residual;
-    }
-  }
-  // Fitting the line takes its share of the correlation away, so that even independent points count as two.
-  return squares > 0.0F ? std::clamp(2.0 + 2.0 * static_cast<double>(products / squares), 2.0, 10.0) : 2.0;
-}
-
-// Standard deviation of the residuals without the largest.
-float robust_sigma(const EdgePoints& points) {
-  constexpr float kPerMean = 1.2533F;  // of a normal distribution, over its mean size
-  float limit = std::numeric_limits<float>::max();
-  float sigma = 0.0F;
-  for (int pass = 0; pass < 3; ++pass) {
-    float sum = 0.0F;
-    float n = 0.0F;
-    for (const EdgePoint& point : points) {
-      const float size = std::abs(point.residual);
-      if (size > limit) continue;
-      sum += size;
-      n += 1.0F;
-    }
-    sigma = kPerMean * sum / std::max(n, 1.0F);
-    limit = 2.5F * sigma;
-  }
-  return sigma;
-}
-
-// Robust line through the points, which turns the side; false when too few lie on it.
-bool fit_line(EdgePoints& points, std::size_t wanted, float tolerance_floor, const OutlineParameters& parameters,
-              Side& side) {
-  if (points.size() < 6) return false;
-  constexpr int kPasses = 5;
-  for (EdgePoint& point : points) point.good = true;
-  float good = 0.0F;
-  float p = 0.0F;
-  float q = 0.0F;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    float st = 0.0F;
-    float sz = 0.0F;
-    float stt = 0.0F;
-    float stz = 0.0F;
-    good = 0.0F;
-    for (const EdgePoint& point : points) {
-      if (!point.good) continue;
-      good += 1.0F;
-      st += point.along;
-      sz += point.across;
-      stt += point.along * point.along;
-      stz += point.along * point.across;
-    }
-    const float determinant = good * stt - st * st;
-    if (good < 6.0F || !(determinant > 1e-6F)) return false;
-    q = (good * stz - st * sz) / determinant;
-    p = (stt * sz - st * stz) / determinant;
-    float squares = 0.0F;
-    for (EdgePoint& point : points) {
-      point.residual = point.across - p - q * point.along;
-      if (point.good) squares += point.residual * point.residual;
-    }
-    const float tolerance = std::max(tolerance_floor, 3.0F * robust_sigma(points));
-    bool changed = false;
-    for (const EdgePoint& point : points) changed = changed || point.good != (std::abs(point.residual) <= tolerance);
-    if (!changed || pass + 1 == kPasses) {
-      const double variance = points_per_independent_one(points) * static_cast<double>(squares) /
-                              std::max(1.0, static_cast<double>(good) - 2.0);
-      side.rms = std::sqrt(static_cast<double>(squares / good));
-      side.covariance << static_cast<double>(stt), -static_cast<double>(st), -static_cast<double>(st),
-          static_cast<double>(good);
-      side.covariance *= variance / static_cast<double>(determinant);
-      break;
-    }
-    for (EdgePoint& point : points) point.good = std::abs(point.residual) <= tolerance;
-  }
-  side.p += static_cast<double>(p);
-  side.q += static_cast<double>(q);
-  return static_cast<double>(good) >= parameters.min_good_share * static_cast<double>(wanted);
+// Turns the side to the line through the points; false when too few of those wanted lie on it.
+bool fit_line(EdgePoints& points, int wanted, float tolerance, const OutlineParameters& parameters, Side& side) {
+  const auto line = fit_edge_line(points, tolerance);
+  if (!line) return false;
+  side.p += line->p;
+  side.q += line->q;
+  side.rms = line->rms;
+  side.covariance = line->covariance;
+  return static_cast<double>(line->good) >= parameters.min_good_share * wanted;
 }
 
 // The whole positions along a side.
@@ -285,11 +139,9 @@ Steps steps_of(const Side& side) {
 bool fit_to_mask(const Mask& lines, const OutlineParameters& parameters, EdgePoints& points, Side& side) {
   constexpr int kReach = 6;
   constexpr int kAgreeing = 3;  // pixels that follow each other make a beginning
-  constexpr int kEvery = 2;     // it is only where the contrast is looked for
   const Steps steps = steps_of(side);
   points.clear();
-  for (int along = std::max(0, steps.first); along < std::min(lines.height(), steps.first + steps.count);
-       along += kEvery) {
+  for (int along = std::max(0, steps.first); along < std::min(lines.height(), steps.first + steps.count); ++along) {
     const double across = side.across(along);
     const int start = static_cast<int>(std::lround(across));
     // From outside inwards.
@@ -303,7 +155,7 @@ bool fit_to_mask(const Mask& lines, const OutlineParameters& parameters, EdgePoi
     points.push_back({static_cast<float>(along - side.middle), static_cast<float>(edge - across), 0.0F, true});
   }
   constexpr float kTolerance = 0.8F;  // px
-  return fit_line(points, static_cast<std::size_t>(std::max(steps.count / kEvery, 6)), kTolerance, parameters, side);
+  return fit_line(points, std::max(steps.count, 6), kTolerance, parameters, side);
 }
 
 // Where the contrast's step lies, by its area within two and a half pixels of the line, row by row.
@@ -346,8 +198,7 @@ bool fit_to_contrast(const PlaneImage& contrast, const OutlineParameters& parame
         {static_cast<float>(along - side.middle), static_cast<float>(middle - expected) + off, 0.0F, true});
   }
   constexpr float kTolerance = 0.15F;  // px
-  return fit_line(points, static_cast<std::size_t>(std::max(steps.count, 6)), kTolerance, parameters, side) &&
-         side.rms <= parameters.max_rms_px;
+  return fit_line(points, std::max(steps.count, 6), kTolerance, parameters, side) && side.rms <= parameters.max_rms_px;
 }
 
 std::array<Line, 4> lines_of(const std::array<Side, 4>& sides) {
