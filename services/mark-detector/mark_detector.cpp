@@ -12,8 +12,9 @@
 namespace markservo::mark_detector {
 namespace {
 
-void check(bool condition, const std::string& what) {
-  if (!condition) throw std::invalid_argument("MarkDetector: " + what);
+// No string is made unless it is needed: frames are checked as well.
+void check(bool condition, const char* what) {
+  if (!condition) throw std::invalid_argument(std::string("MarkDetector: ") + what);
 }
 
 // Why one image shows no blob of the mark.
@@ -72,8 +73,9 @@ MarkDetector::MarkDetector(std::vector<robot::MarkDescription> marks, const Para
     : marks_(std::move(marks)),
       parameters_(parameters),
       colour_model_(marks_, parameters.chroma_min, parameters.colours) {
-  check(!marks_.empty() && marks_.size() <= robot::kMaxMarks,
-        std::to_string(marks_.size()) + " marks; allowed: 1 to " + std::to_string(robot::kMaxMarks));
+  const std::string number =
+      std::to_string(marks_.size()) + " marks; allowed: 1 to " + std::to_string(robot::kMaxMarks);
+  check(!marks_.empty() && marks_.size() <= robot::kMaxMarks, number.c_str());
   check(parameters_.histogram_rows >= 1, "histogram_rows below 1");
   check(parameters_.full_scan_every >= 1, "full_scan_every below 1 frame");
   check(parameters_.coarse_rows >= 1, "coarse_rows below 1 px");

@@ -66,7 +66,8 @@ void TargetLocatorNode::handle(const MarkDetection& detection) {
   for (const DetectedMark& mark : detection.marks) {
     const auto known = marks_.find(mark.name);
     const KnownMark described = known == marks_.end() ? KnownMark{} : known->second;
-    const Location location = locate_mark(observation_of(mark, described.surface, described.size), camera, parameters_);
+    const Location location =
+        locate_mark(observation_of(mark, described.surface, described.size), camera, parameters_, work_);
     pose.marks.push_back(located_mark(mark, location));
     matches.marks.push_back(matches_of(mark, location));
   }

@@ -33,6 +33,7 @@ class TargetLocatorNode final : public bus::Service {
   std::string method_ = "refined";
   std::vector<std::string> surface_texts_;
   LocatorParameters parameters_;
+  LocatorWorkspace work_;
   std::map<std::string, KnownMark> marks_;
   std::optional<bus::Publisher<TargetPose>> poses_;
   std::optional<bus::Publisher<StereoMatches>> matches_;
