@@ -52,6 +52,9 @@ Mask unpack_mask(const Patch& patch) {
 void prepare_masks(const Patch& patch, MarkMasks& masks) {
   unpack_mask(patch, masks.mask);
   imaging::erode(masks.mask, kEdgeMargin, masks.inner);
+}
+
+MarkColours mark_colours(const Patch& patch, MarkMasks& masks) {
   imaging::dilate(masks.mask, kEdgeMargin, masks.ring);
   imaging::dilate(masks.mask, kRingReach, masks.reach);
   for (int y = 0; y < masks.ring.height(); ++y) {
@@ -59,9 +62,6 @@ void prepare_masks(const Patch& patch, MarkMasks& masks) {
     const std::uint64_t* all = static_cast<const Mask&>(masks.reach).row(y);
     for (int i = 0; i < masks.ring.words_per_row(); ++i) ring[i] = all[i] & ~ring[i];
   }
-}
-
-MarkColours mark_colours(const Patch& patch, const MarkMasks& masks) {
   MarkColours colours;
   const std::ptrdiff_t stride = std::ptrdiff_t{3} * patch.width;
   imaging::add_colours(patch.bgr, stride, masks.inner, kRowStep, colours.inside);

@@ -29,10 +29,11 @@ struct MarkMasks {
   Mask reach;  // the mask, these few pixels, and the ring
 };
 
-// Unpacks the patch's mask and makes the others; they keep their memory.
+// Unpacks the patch's mask and makes the inner one; they keep their memory.
 void prepare_masks(const Patch& patch, MarkMasks& masks);
 
-MarkColours mark_colours(const Patch& patch, const MarkMasks& masks);
+// Of prepared masks; makes the ring.
+MarkColours mark_colours(const Patch& patch, MarkMasks& masks);
 
 // The axis of BGR along which these pixels vary most, unit length, sum not negative: what a printed texture looks like
 // under noise of equal size in the three channels. Grey where they do not vary.

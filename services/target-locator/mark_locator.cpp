@@ -43,7 +43,6 @@ void prepare(const MarkObservation& observation, const LocatorParameters& parame
   prepare_masks(left, work.left);
   prepare_masks(right, work.right);
   work.left_colours = mark_colours(left, work.left);
-  work.right_colours = mark_colours(right, work.right);
   const ColourMap axis = texture_axis(work.left_colours.inside);
   StereoPatch& patch = work.patch;
   project_colours(left, axis, patch.left);
@@ -119,13 +118,28 @@ std::optional<SeenCentre> image_centre(const View& view, const Mask& mask, const
   return SeenCentre{*centre, false};
 }
 
+// Do the masks alone say that the right view shows as much of the mark as the left one, and in the same place? Then its
+// outline would tell nothing that the left one does not: both views show the same print there, so that their errors are
+// alike and do not average out.
+bool shown_alike(const PlaneSeed& seed, const DisparityPlane& plane, const LocatorWorkspace& work) {
+  constexpr double kNear = 1.0;  // px of disparity between masks and print
+  return work.all_in_common && std::abs(seed.plane.at(plane.u0, plane.v0) - plane.at_centre) <= kNear;
+}
+
 // The mark's centre from what both images show of it.
-std::optional<CentreEstimate> mark_centre(const MarkObservation& observation, const PlaneAlignment& alignment,
-                                          const geometry::StereoCamera& camera, const LocatorParameters& parameters,
-                                          LocatorWorkspace& work) {
+std::optional<CentreEstimate> mark_centre(const MarkObservation& observation, const PlaneSeed& seed,
+                                          const PlaneAlignment& alignment, const geometry::StereoCamera& camera,
+                                          const LocatorParameters& parameters, LocatorWorkspace& work) {
   const DisparityPlane& plane = alignment.plane;
   const auto left = image_centre(observation.left, work.left.mask, work.left_colours, plane, camera, CameraSide::kLeft,
                                  observation.size, parameters, work.contrast);
+  if (observation.size > 0.0 && left && left->outlined && shown_alike(seed, plane, work)) {
+    // Twice the covariance was for two views that count as independent and are not.
+    constexpr double kAlone = 0.75;
+    return fuse_centres(ImageCentre{left->centre.position, kAlone * left->centre.covariance}, std::nullopt, alignment,
+                        camera);
+  }
+  work.right_colours = mark_colours(observation.right.patch, work.right);
   const auto right = image_centre(observation.right, work.right.mask, work.right_colours, plane, camera,
                                   CameraSide::kRight, observation.size, parameters, work.contrast);
   const bool whole = left && right && left->outlined && right->outlined;
@@ -177,7 +191,8 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
   make_template(patch, inside, parameters.alignment.max_rough_pixels, work.pixels.rough);
   const PlaneSeed seed = find_seed(observation, work, parameters);
   seen_by_both(inside, patch.left_frame, work.right.inner, patch.right_frame, seed.plane, work.common);
-  if (static_cast<double>(work.common.count()) < kHidden * static_cast<double>(inside.count())) {
+  work.all_in_common = static_cast<double>(work.common.count()) >= kHidden * static_cast<double>(inside.count());
+  if (!work.all_in_common) {
     std::swap(inside, work.common);
     keep_within(inside, work.features);
     make_template(patch, inside, parameters.alignment.max_rough_pixels, work.pixels.rough);
@@ -227,7 +242,7 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
   }
   alignment->covariance *= plane_misfit(std::move(squared_scores));
 
-  const auto centre = mark_centre(observation, *alignment, camera, parameters, work);
+  const auto centre = mark_centre(observation, seed, *alignment, camera, parameters, work);
   if (!centre) {
     location.status = Status::kInconsistent;
     return location;
