@@ -56,11 +56,12 @@ void combine_down(uint64_t* a, std::size_t count, std::size_t step) {
 // which has taken it.
 template <class Operation>
 void BitMask::spread(const BitMask& mask, int reach) {
+  width_ = height_ = words_per_row_ = 0;
+  words_ = mask.words_;
+  used_ = mask.used_;
   width_ = mask.width_;
   height_ = mask.height_;
   words_per_row_ = mask.words_per_row_;
-  words_ = mask.words_;
-  used_ = mask.used_;
   if (words_.empty()) return;
   const uint64_t last = low_bits((width_ - 1) % kWordBits + 1);
   for (int done = 0, step = 0; done < reach; done += step) {
@@ -91,11 +92,14 @@ void BitMask::reset(int width, int height) {
     }
     return;
   }
+  // The size last: there may be no memory for it.
+  const int words_per_row = (width + kWordBits - 1) / kWordBits;
+  width_ = height_ = words_per_row_ = 0;
+  words_.assign(static_cast<std::size_t>(words_per_row) * static_cast<std::size_t>(height), 0);
+  used_.assign(static_cast<std::size_t>(height), 0);
   width_ = width;
   height_ = height;
-  words_per_row_ = (width + kWordBits - 1) / kWordBits;
-  words_.assign(static_cast<std::size_t>(words_per_row_) * static_cast<std::size_t>(height), 0);
-  used_.assign(static_cast<std::size_t>(height), 0);
+  words_per_row_ = words_per_row;
 }
 
 int BitMask::next_used(int v) const {

@@ -160,7 +160,7 @@ HWY_INLINE void extract(const uint8_t* bgr, Features& features) {
 
 // Where products of neighbours are added in one instruction, whose order is known, exact tests take no longer than
 // coarse ones.
-#define MARKSERVO_PAIRED_PRODUCTS HWY_ARCH_X86
+#define MARKSERVO_PAIRED_PRODUCTS (HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128)
 
 #if MARKSERVO_PAIRED_PRODUCTS
 // The sign of a p + b q for each p and q, as 16 bits.

@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kWhite = 255.0;
 constexpr int kClipped = 250;  // level; noise of sigma 3 brings a clipped channel down to it less than once in ten
-constexpr int kDark = 20;      // level of the brightest channel; below it chromaticity is noise
-constexpr int kBlended = 2;    // px along the outline that are mark and background mixed
+constexpr double kMiddleLevel = 128.0;
+constexpr int kDark = 20;    // level of the brightest channel; below it chromaticity is noise
+constexpr int kBlended = 2;  // px along the outline that are mark and background mixed
 constexpr int kMaxPerSide = 16;
 constexpr double kUsualSpread = 0.3;  // of a printed mark's brightness, until it is measured
 // Brightness of a print, in standard deviations from its mean.
@@ -130,15 +131,25 @@ ColourModel::ColourModel(const std::vector<robot::MarkDescription>& marks, int c
   }
 }
 
+namespace {
+
+// Within 64 times of what is usual, either way: no sequence of pictures leads a model beyond recall.
+double bounded(double value, double usual) {
+  constexpr double kMost = 64.0;
+  return std::clamp(value, usual / kMost, usual * kMost);
+}
+
+}  // namespace
+
 void ColourModel::predict(const LightChange& change, ColourState& state) const {
   const double kept = 1.0 - 1.0 / parameters_.memory_frames;
-  for (std::size_t c = 0; c < 3; ++c) state.light[c] = std::pow(state.light[c] * change.gains[c], kept);
+  for (std::size_t c = 0; c < 3; ++c) state.light[c] = bounded(std::pow(state.light[c] * change.gains[c], kept), 1.0);
   state.marks.resize(nominal_.size());
   for (MarkColour& mark : state.marks) {
     if (!mark.known) continue;
     mark.known = ++mark.age <= parameters_.memory_frames;
     mark.certain = mark.certain && change.certain;
-    for (std::size_t c = 0; c < 3; ++c) mark.mean[c] *= change.gains[c];
+    for (std::size_t c = 0; c < 3; ++c) mark.mean[c] = bounded(mark.mean[c] * change.gains[c], kMiddleLevel);
   }
 }
 
@@ -286,7 +297,7 @@ bool ColourModel::observe(std::size_t mark, const ImageView& left, const Region&
     const Hsv predicted = hsv_of(colour.mean);
     const double jump = std::hypot(signed_angle(now.hue_deg - predicted.hue_deg) / parameters_.hue_jump_max_deg,
                                    (now.saturation - predicted.saturation) / parameters_.saturation_jump_max);
-    if (jump > 1.0) return false;
+    if (!(jump <= 1.0)) return false;
   }
   const double share = colour.known ? parameters_.smoothing : 1.0;
   for (std::size_t c = 0; c < 3; ++c) colour.mean[c] += share * (measured.mean[c] - colour.mean[c]);

@@ -48,9 +48,10 @@ ScanWindow window_around(const Shape& shape, int margin, const ImageView& image)
 }
 
 bool reaches_out(const Shape& shape, const ScanWindow& window, const ImageView& image) {
-  return (shape.x <= window.left && window.left > 0) || (shape.y <= window.top && window.top > 0) ||
-         (shape.x + shape.width >= window.right && window.right < image.width) ||
-         (shape.y + shape.height >= window.bottom && window.bottom < image.height);
+  // What is cleaned of noise may end a pixel before what it was made of.
+  return (shape.x <= window.left + 1 && window.left > 0) || (shape.y <= window.top + 1 && window.top > 0) ||
+         (shape.x + shape.width >= window.right - 1 && window.right < image.width) ||
+         (shape.y + shape.height >= window.bottom - 1 && window.bottom < image.height);
 }
 
 void scan(const ImageView& image, const ScanWindow& window, const LumaShift& shift, const ScanRules& rules) {

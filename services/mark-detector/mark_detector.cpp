@@ -1,10 +1,8 @@
 #include "services/mark-detector/mark_detector.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "services/mark-detector/luma_equalisation.hpp"
@@ -98,7 +96,8 @@ const Output& MarkDetector::step(const Input& input, State& state) const {
     state.output.marks[i].role = marks_[i].role;
     for (auto* masks : {&state.left_masks, &state.right_masks}) (*masks)[i].reset(input.left.width, input.left.height);
     State::Memory& memory = state.memory[i];
-    if (memory.known && ++memory.age > parameters_.memory_frames) memory.known = false;
+    const bool same_size = memory.width == input.left.width && memory.height == input.left.height;
+    if (memory.known && (++memory.age > parameters_.memory_frames || !same_size)) memory.known = false;
   }
   const LumaShift shift = equalise(input);
   frame_rules(parameters_.adapt ? colour_model_.rules(input.left, state.colours) : rules_, shift, state.rules);
@@ -108,7 +107,7 @@ const Output& MarkDetector::step(const Input& input, State& state) const {
   if (single || --state.frames_to_full_scan <= 0) {
     state.frames_to_full_scan = parameters_.full_scan_every;
   } else {
-    const MarkSet tracked = tracked_marks(input, state);
+    const MarkSet tracked = tracked_marks(state);
     everywhere = marks_in_sight(input, shift, everywhere & ~tracked, state);
     for (std::size_t i = 0; i < marks_.size(); ++i) {
       if (tracked[i]) everywhere.set(i, !search_around(input, shift, i, state));
@@ -127,6 +126,7 @@ const Output& MarkDetector::step(const Input& input, State& state) const {
     }
   }
   cut_patches(input, state);
+  state.last_was_pair = !single;
   return state.output;
 }
 
@@ -141,12 +141,11 @@ LumaShift MarkDetector::equalise(const Input& input) const {
 }
 
 // The marks that both images of the frame before showed. A free mark is all that has its colour, wherever.
-MarkDetector::MarkSet MarkDetector::tracked_marks(const Input& input, State& state) const {
+MarkDetector::MarkSet MarkDetector::tracked_marks(const State& state) const {
   MarkSet tracked;
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     const State::Memory& memory = state.memory[i];
-    tracked.set(i, memory.known && memory.age == 1 && memory.width == input.left.width &&
-                       memory.height == input.left.height && marks_[i].surface == robot::MarkSurface::kPlane);
+    tracked.set(i, memory.known && memory.age == 1 && marks_[i].surface == robot::MarkSurface::kPlane);
   }
   return tracked;
 }
@@ -166,6 +165,7 @@ MarkDetector::MarkSet MarkDetector::marks_in_sight(const Input& input, const Lum
       mark_of_rule.at(rules.count) = i;
       rules.add(state.rules[i], (*masks)[i]);
     }
+    if (rules.count == 0) break;
     const uint32_t found =
         scan_rows(*image, state.next_coarse_row, parameters_.coarse_rows, parameters_.coarse_least, shift, rules);
     for (std::size_t k = 0; k < rules.count; ++k) {
@@ -210,13 +210,14 @@ bool MarkDetector::search_around(const Input& input, const LumaShift& shift, std
          !reaches_out(finding.right.shape, right, input.right);
 }
 
-// A mark that no row shows anything of. Why it was not seen when everything was searched still holds.
+// A mark that no row shows anything of. What was too small to be it when everything was searched may still be there.
 void MarkDetector::miss(const Input& input, std::size_t mark, State& state) const {
   Finding& finding = state.output.marks[mark];
-  const bool unseen_before = !finding.left.seen && !finding.right.seen;
+  const bool too_small_before = !finding.left.seen && !finding.right.seen && finding.left_blobs.blobs.empty() &&
+                                finding.right_blobs.blobs.empty() && state.last_was_pair;
   std::string before = std::move(finding.reason);
   find_views(input, mark, state);
-  if (unseen_before && !before.empty()) finding.reason = std::move(before);
+  if (too_small_before && !before.empty()) finding.reason = std::move(before);
 }
 
 // From the masks, whatever part of the images they were made of.
@@ -268,12 +269,12 @@ void MarkDetector::remember(const Input& input, State& state) const {
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     const Finding& finding = state.output.marks[i];
     if (!finding.left.seen || !finding.right.seen) continue;
-    if (parameters_.adapt && marks_[i].surface == robot::MarkSurface::kPlane) {
+    if (marks_[i].surface == robot::MarkSurface::kPlane) {
       // It may be another thing if it is cut by the border, so that its size says nothing, or not of the mark's colour
       // in this light. Its place is not worth remembering.
       if (finding.left.clipped || finding.right.clipped) continue;
-      if (!colour_model_.observe(i, input.left, finding.left.region, input.right, finding.right.region,
-                                 state.colours)) {
+      if (parameters_.adapt && !colour_model_.observe(i, input.left, finding.left.region, input.right,
+                                                      finding.right.region, state.colours)) {
         continue;
       }
     }

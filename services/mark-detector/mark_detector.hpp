@@ -67,7 +67,7 @@ struct Finding {
   std::string reason;         // why it is not seen in one or both images; empty when all given images see it
   View left;
   View right;
-  BlobList left_blobs;  // all of its colour, as classified
+  BlobList left_blobs;  // all of its colour in the part that was searched, as classified
   BlobList right_blobs;
 };
 
@@ -90,6 +90,7 @@ struct State {
   std::array<Memory, robot::kMaxMarks> memory;
   int frames_to_full_scan = 0;
   int next_coarse_row = 0;
+  bool last_was_pair = false;
 
   ColourState colours;
   std::array<BitMask, robot::kMaxMarks> left_masks;
@@ -121,7 +122,7 @@ class MarkDetector {
   using MarkSet = std::bitset<robot::kMaxMarks>;
 
   LumaShift equalise(const Input& input) const;
-  MarkSet tracked_marks(const Input& input, State& state) const;
+  MarkSet tracked_marks(const State& state) const;
   MarkSet marks_in_sight(const Input& input, const LumaShift& shift, MarkSet marks, State& state) const;
   void search_everywhere(const Input& input, const LumaShift& shift, MarkSet marks, State& state) const;
   bool search_around(const Input& input, const LumaShift& shift, std::size_t mark, State& state) const;

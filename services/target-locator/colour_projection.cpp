@@ -2,9 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
-#include <cstring>
 
 namespace markservo::target_locator {
 namespace {
@@ -38,7 +35,12 @@ void unpack_mask(const Patch& patch, Mask& mask) {
   for (int y = 0; y < patch.height; ++y) {
     std::uint64_t* words = mask.row(y);
     const std::uint8_t* bits = patch.mask + static_cast<std::ptrdiff_t>(y) * bytes;
-    for (int i = 0; i < bytes; ++i) words[i / 8] |= static_cast<std::uint64_t>(bits[i]) << (i % 8 * 8);
+    std::uint8_t any = 0;
+    for (int i = 0; i < bytes; ++i) {
+      words[i / 8] |= static_cast<std::uint64_t>(bits[i]) << (i % 8 * 8);
+      any |= bits[i];
+    }
+    if (any == 0) mask.declare_empty(y);
     if (spare > 0) words[mask.words_per_row() - 1] &= imaging::low_bits(spare);
   }
 }

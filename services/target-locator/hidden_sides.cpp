@@ -125,6 +125,8 @@ Outermost outermost_edge(const Points& points, const Eigen::Vector2d& outwards, 
   }
   const double limit = nth_value(inwards, kStrays);
   // How far out the outline reaches, pixel by pixel along the edge.
+  constexpr double kLongest = 4096.0;  // pixels; no patch is as long
+  if (!((last - first) / pixel <= kLongest)) return {};
   const auto count = static_cast<std::size_t>((last - first) / pixel) + 1;
   std::vector<double> reach(count, -1e9);
   for (const auto& point : points) {

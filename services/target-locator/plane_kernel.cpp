@@ -1,7 +1,5 @@
 #include "services/target-locator/plane_kernel.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE

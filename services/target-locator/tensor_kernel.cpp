@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <vector>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "services/target-locator/tensor_kernel.cpp"
@@ -92,7 +91,10 @@ void FillMeasures(const Gradients& gradients, float trace_floor, CornerMeasures&
   lines.resize(w, kProducts * (1 + kRing));
   std::array<std::array<float*, kProducts>, kRing> ring{};
   for (int k = 0; k < kRing; ++k) {
-    for (int p = 0; p < kProducts; ++p) ring[k][p] = lines.row(kProducts * (1 + k) + p);
+    for (int p = 0; p < kProducts; ++p) {
+      ring[k][p] = lines.row(kProducts * (1 + k) + p);
+      std::fill(ring[k][p], ring[k][p] + w, 0.0F);
+    }
   }
   const auto floor = hn::Set(d, trace_floor);
   const auto zero = hn::Zero(d);

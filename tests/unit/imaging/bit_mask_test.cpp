@@ -13,8 +13,11 @@ BitMask random_mask(int width, int height, double share, unsigned seed) {
   std::mt19937 random(seed);
   std::bernoulli_distribution set(share);
   BitMask mask(width, height);
+  // Rows without a pixel stay unused.
   for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) mask.set(u, v, set(random));
+    for (int u = 0; u < width; ++u) {
+      if (set(random)) mask.set(u, v, true);
+    }
   }
   return mask;
 }
@@ -64,10 +67,16 @@ TEST(BitMask, GrowsAndShrinksByASquare) {
         BitMask shrunk;
         dilate(sparse, reach, grown);
         erode(dense, reach, shrunk);
+        const BitMask specks = random_mask(width, height, 0.003, static_cast<unsigned>(width + height));
+        BitMask grown_specks;
+        dilate(specks, reach, grown_specks);
         for (int v = 0; v < height; ++v) {
           for (int u = 0; u < width; ++u) {
             ASSERT_EQ(grown.test(u, v), around(sparse, u, v, reach, false))
                 << width << " " << reach << " " << u << " " << v;
+            ASSERT_EQ(grown_specks.test(u, v), around(specks, u, v, reach, false)) << width << " " << u << " " << v;
+            ASSERT_FALSE(grown_specks.surely_empty(v) && grown_specks.test(u, v));
+            ASSERT_FALSE(shrunk.surely_empty(v) && shrunk.test(u, v));
             ASSERT_EQ(shrunk.test(u, v), around(dense, u, v, reach, true))
                 << width << " " << reach << " " << u << " " << v;
           }

@@ -222,6 +222,26 @@ TEST(MarkDetector, FollowsMarksAsIfItLookedEverywhere) {
   }
 }
 
+TEST(MarkDetector, FollowsAMarkThatReachesOutOfWhereItLooked) {
+  Parameters thorough;
+  thorough.full_scan_every = 1;
+  State following;
+  State searching;
+  for (int frame = 0; frame < 4; ++frame) {
+    Pair pair;
+    pair.draw({320.1, 150.2, kEdge, 0.0, kRed, 0.1}, kDisparity);
+    if (frame > 0) {  // a thin thing of its colour beside it
+      pair.left.fill(355, 150, 100, 2, kRed);
+      pair.right.fill(355 - static_cast<int>(kDisparity), 150, 100, 2, kRed);
+    }
+    const Input input = pair.expose(1.0, 0.0);
+    const Output& followed = MarkDetector(four_marks(), {}).step(input, following);
+    const Output& searched = MarkDetector(four_marks(), thorough).step(input, searching);
+    EXPECT_EQ(followed.marks[1].left.shape.width, searched.marks[1].left.shape.width) << frame;
+    EXPECT_EQ(followed.marks[1].reason, searched.marks[1].reason) << frame;
+  }
+}
+
 TEST(MarkDetector, FindsAMarkThatAppearsAnywhereAtOnce) {
   const MarkDetector detector(four_marks(), {});
   for (int place = 0; place < 24; ++place) {

@@ -44,6 +44,24 @@ TEST(Foerstner, GivesAFlatPatchNeitherWeightNorRoundness) {
   }
 }
 
+TEST(Foerstner, RemembersNothingOfTheImageBefore) {
+  Gradients gradients;
+  CornerMeasures measures;
+  for (int height = 20; height < 26; ++height) {
+    PlaneImage textured(20, height);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < 20; ++x) textured.at(x, y) = static_cast<float>((x * 7 + y * 13) * (x + y) % 97);
+    }
+    sobel_gradients(textured, false, gradients);
+    foerstner(gradients, 1.0F, measures);
+    sobel_gradients(PlaneImage(20, height, 80.0F), false, gradients);
+    foerstner(gradients, 1.0F, measures);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < 20; ++x) ASSERT_EQ(measures.weight.at(x, y), 0.0F) << height << " " << x << " " << y;
+    }
+  }
+}
+
 TEST(Foerstner, FloorsTheTraceWhereGradientsAreFaint) {
   PlaneImage faint = ten_by_ten_square();
   EXPECT_GT(foerstner(sobel_gradients(faint), 0.0F).roundness.at(2, 2), 0.3F);
