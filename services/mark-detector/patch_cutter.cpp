@@ -72,47 +72,55 @@ void count_mark_by_words(const Region& mark, int u, int v, int scale, std::vecto
   }
 }
 
-// At a larger scale: averages, and pixels of which half or more is mark.
-void average_patch(const ImageView& image, const Region& mark, Patch& patch) {
-  const auto width = static_cast<std::size_t>(patch.width);
-  const auto scale = static_cast<std::size_t>(patch.scale);
-  const std::size_t row_bytes = 3 * width * scale;  // of the image
-  const std::size_t mask_stride = (width + 7) / 8;
+// The sums of `rows` rows of bytes, from `first` on.
+void sum_rows(const uint8_t* first, std::ptrdiff_t stride, int rows, std::vector<uint32_t>& sums) {
+  uint32_t* const out = sums.data();
+  const std::size_t count = sums.size();
+  for (std::size_t i = 0; i < count; ++i) out[i] = first[i];
+  for (int row = 1; row < rows; ++row) {
+    const uint8_t* in = first + row * stride;
+    for (std::size_t i = 0; i < count; ++i) out[i] += in[i];
+  }
+}
+
+// Averages along a row of column sums, `scale` pixels to one; kScale is that, or 0 for any.
+template <int kScale>
+void average_row(const uint32_t* in, std::size_t width, int any_scale, uint8_t* out) {
+  const int scale = kScale > 0 ? kScale : any_scale;
   const auto n = static_cast<uint32_t>(scale * scale);
   // Exact instead of a division as long as 255 n^2 fits 32 bits.
   constexpr uint32_t kLargest = 4096;
   const uint64_t inverse = ((uint64_t{1} << 32) + n - 1) / n;
-  const auto divided = [&](uint32_t sum) {
-    return static_cast<uint8_t>(n <= kLargest ? (sum * inverse) >> 32 : sum / n);
-  };
-  patch.column_sums.resize(row_bytes);
+  for (std::size_t i = 0; i < width; ++i, out += 3) {
+    uint32_t sums[3] = {n / 2, n / 2, n / 2};
+    for (int du = 0; du < scale; ++du, in += 3) {
+      for (std::size_t c = 0; c < 3; ++c) sums[c] += in[c];
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      out[c] = static_cast<uint8_t>(n <= kLargest ? (sums[c] * inverse) >> 32 : sums[c] / n);
+    }
+  }
+}
+
+// At a larger scale: averages, and pixels of which half or more is mark.
+void average_patch(const ImageView& image, const Region& mark, Patch& patch) {
+  const auto width = static_cast<std::size_t>(patch.width);
+  const std::size_t mask_stride = (width + 7) / 8;
+  const auto half = static_cast<uint32_t>((patch.scale * patch.scale + 1) / 2);
+  patch.column_sums.resize(3 * width * static_cast<std::size_t>(patch.scale));
   patch.mark_counts.resize(width);
-  uint32_t* const columns = patch.column_sums.data();
+  const auto average = patch.scale == 2 ? average_row<2> : patch.scale == 3 ? average_row<3> : average_row<0>;
+  const auto count = patch.scale <= BitMask::kWordBits / 2 ? count_mark_by_words : count_mark;
   for (int j = 0; j < patch.height; ++j) {
     const int top = patch.y + j * patch.scale;
-    std::fill_n(columns, row_bytes, 0U);
+    const auto row = static_cast<std::size_t>(j);
+    sum_rows(image.pixel(patch.x, top), image.stride, patch.scale, patch.column_sums);
+    average(patch.column_sums.data(), width, patch.scale, &patch.bgr[3 * width * row]);
     std::fill(patch.mark_counts.begin(), patch.mark_counts.end(), 0U);
-    for (int v = top; v < top + patch.scale; ++v) {
-      const uint8_t* p = image.pixel(patch.x, v);
-      for (std::size_t i = 0; i < row_bytes; ++i) columns[i] += p[i];
-      if (patch.scale <= BitMask::kWordBits / 2) {
-        count_mark_by_words(mark, patch.x, v, patch.scale, patch.mark_counts);
-      } else {
-        count_mark(mark, patch.x, v, patch.scale, patch.mark_counts);
-      }
-    }
-    uint8_t* out = &patch.bgr[3 * width * static_cast<std::size_t>(j)];
-    uint8_t* bits = &patch.mask[mask_stride * static_cast<std::size_t>(j)];
-    const uint32_t* in = columns;
-    for (std::size_t i = 0; i < width; ++i, out += 3) {
-      uint32_t sums[3] = {n / 2, n / 2, n / 2};
-      for (std::size_t du = 0; du < scale; ++du, in += 3) {
-        for (std::size_t c = 0; c < 3; ++c) sums[c] += in[c];
-      }
-      for (std::size_t c = 0; c < 3; ++c) out[c] = divided(sums[c]);
-      if (2 * patch.mark_counts[i] >= n) {
-        bits[i / 8] = static_cast<uint8_t>(bits[i / 8] | (1U << (i % 8)));
-      }
+    for (int v = top; v < top + patch.scale; ++v) count(mark, patch.x, v, patch.scale, patch.mark_counts);
+    uint8_t* bits = &patch.mask[mask_stride * row];
+    for (std::size_t i = 0; i < width; ++i) {
+      bits[i / 8] = static_cast<uint8_t>(bits[i / 8] | (unsigned{patch.mark_counts[i] >= half} << (i % 8)));
     }
   }
 }
