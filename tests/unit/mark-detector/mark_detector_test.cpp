@@ -5,57 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tests/unit/mark-detector/synthetic_scene.hpp"
+#include "tests/unit/mark-detector/mark_pair.hpp"
 
 namespace markservo::mark_detector {
 namespace {
 
 using namespace test;
-
-robot::MarkDescription mark(const std::string& name, double hue_min, double hue_max) {
-  robot::MarkDescription mark;
-  mark.name = name;
-  mark.size = 0.025;
-  mark.colour = {hue_min, hue_max, 0.45, 1.0, 0.2, 1.0};
-  return mark;
-}
-
-std::vector<robot::MarkDescription> four_marks() {
-  auto hand = mark("hand", 95.0, 150.0);
-  hand.role = robot::MarkRole::kManipulator;
-  hand.size = 0.020;
-  return {hand, mark("red", 345.0, 15.0), mark("yellow", 40.0, 72.0), mark("blue", 200.0, 245.0)};
-}
-
-geometry::StereoCamera cameras() {
-  return {784.0, 784.0, 319.5, 319.5, 239.5, 0.065};
-}
-
-// A pair of pictures in which things stand at a disparity.
-struct Pair {
-  Picture left{640, 480, kGrey};
-  Picture right{640, 480, kGrey};
-
-  void draw(Square square, double disparity) {
-    left.draw(square);
-    square.u -= disparity;
-    right.draw(square);
-  }
-  Input expose(double gain = 1.0, double sigma = 3.0, unsigned seed = 1) {
-    left.expose(gain, sigma, seed);
-    right.expose(gain, sigma, seed + 1000);
-    Input input;
-    input.left = left.view();
-    input.right = right.view();
-    input.stereo = cameras();
-    return input;
-  }
-};
-
-constexpr double kDisparity = 204.0;                  // px, 250 mm
-constexpr double kEdge = kDisparity * 0.025 / 0.065;  // px, of a mark of 25 mm
-constexpr double kHandEdge = kDisparity * 0.020 / 0.065;
-constexpr double kMaskError = 0.5;  // px, of a mask's centroid: an edge pixel counts whole or not at all
 
 Pair four_mark_scene() {
   Pair pair;
@@ -195,79 +150,6 @@ TEST(MarkDetector, ForgetsAPlaceAfterAWhile) {
   EXPECT_TRUE(state.memory[0].known);
   detector.step(empty, state);
   EXPECT_FALSE(state.memory[0].known);
-}
-
-// Where the detector that follows marks finds them, frame by frame, beside one that searches everything.
-TEST(MarkDetector, FollowsMarksAsIfItLookedEverywhere) {
-  Parameters thorough;
-  thorough.full_scan_every = 1;
-  State following;
-  State searching;
-  for (int frame = 0; frame < 12; ++frame) {
-    Pair pair;
-    const double moved = 7.0 * frame;  // px
-    pair.draw({420.3 - moved, 250.7 + moved, kHandEdge, 0.1, kGreen, 0.1}, kDisparity + 2.0 * frame);
-    pair.draw({320.1 + 0.2 * moved, 150.2, kEdge, 0.0, kRed, 0.1}, kDisparity);
-    pair.left.fill(40, 400, 30, 30, kRed);
-    const Input input = pair.expose(1.0, 3.0, static_cast<unsigned>(frame));
-    const Output& followed = MarkDetector(four_marks(), {}).step(input, following);
-    const Output& searched = MarkDetector(four_marks(), thorough).step(input, searching);
-    for (std::size_t i = 0; i < 4; ++i) {
-      EXPECT_EQ(followed.marks[i].reason, searched.marks[i].reason) << frame;
-      EXPECT_EQ(followed.marks[i].left.shape.u, searched.marks[i].left.shape.u) << frame;
-      EXPECT_EQ(followed.marks[i].right.shape.area, searched.marks[i].right.shape.area) << frame;
-      EXPECT_EQ(followed.marks[i].left.patch.bgr, searched.marks[i].left.patch.bgr) << frame;
-      EXPECT_EQ(followed.marks[i].right.patch.mask, searched.marks[i].right.patch.mask) << frame;
-    }
-  }
-}
-
-TEST(MarkDetector, FollowsAMarkThatReachesOutOfWhereItLooked) {
-  Parameters thorough;
-  thorough.full_scan_every = 1;
-  State following;
-  State searching;
-  for (int frame = 0; frame < 4; ++frame) {
-    Pair pair;
-    pair.draw({320.1, 150.2, kEdge, 0.0, kRed, 0.1}, kDisparity);
-    if (frame > 0) {  // a thin thing of its colour beside it
-      pair.left.fill(355, 150, 100, 2, kRed);
-      pair.right.fill(355 - static_cast<int>(kDisparity), 150, 100, 2, kRed);
-    }
-    const Input input = pair.expose(1.0, 0.0);
-    const Output& followed = MarkDetector(four_marks(), {}).step(input, following);
-    const Output& searched = MarkDetector(four_marks(), thorough).step(input, searching);
-    EXPECT_EQ(followed.marks[1].left.shape.width, searched.marks[1].left.shape.width) << frame;
-    EXPECT_EQ(followed.marks[1].reason, searched.marks[1].reason) << frame;
-  }
-}
-
-TEST(MarkDetector, FindsAMarkThatAppearsAnywhereAtOnce) {
-  const MarkDetector detector(four_marks(), {});
-  for (int place = 0; place < 24; ++place) {
-    State state;
-    Pair without;
-    without.draw({420.3, 250.7, kHandEdge, 0.1, kGreen, 0.1}, kDisparity);
-    for (int frame = 0; frame <= place % 5; ++frame) detector.step(without.expose(), state);
-    Pair with = without;
-    const double u = 260.0 + 55.0 * (place % 6);
-    const double v = 60.0 + 100.0 * (place / 6);
-    with.draw({u, v, kEdge, 0.0, kYellow, 0.1}, kDisparity);
-    const Finding& finding = detector.step(with.expose(), state).marks[2];
-    EXPECT_EQ(finding.reason, "") << place;
-    EXPECT_NEAR(finding.left.shape.u, u, 0.5) << place;
-  }
-}
-
-TEST(MarkDetector, FindsAMarkAgainThatJumped) {
-  const MarkDetector detector(four_marks(), {});
-  State state;
-  for (int frame = 0; frame < 10; ++frame) {
-    Pair pair;
-    const double u = frame % 2 == 0 ? 300.0 : 540.0;
-    pair.draw({u, 150.2, kEdge, 0.0, kRed, 0.1}, kDisparity);
-    EXPECT_NEAR(detector.step(pair.expose(), state).marks[1].left.shape.u, u, 0.5) << frame;
-  }
 }
 
 TEST(MarkDetector, GivesTheSameForTheSameFrames) {
