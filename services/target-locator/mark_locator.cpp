@@ -135,7 +135,7 @@ std::optional<CentreEstimate> mark_centre(const MarkObservation& observation, co
                                  observation.size, parameters, work.contrast);
   if (observation.size > 0.0 && left && left->outlined && shown_alike(seed, plane, work)) {
     // Twice the covariance was for two views that count as independent and are not.
-    constexpr double kAlone = 0.75;
+    constexpr double kAlone = 0.66;
     return fuse_centres(ImageCentre{left->centre.position, kAlone * left->centre.covariance}, std::nullopt, alignment,
                         camera);
   }
