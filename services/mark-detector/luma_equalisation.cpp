@@ -38,6 +38,14 @@ LumaShift equalising_shift(const LumaHistogram& histogram) {
   return shift;
 }
 
+LumaShift equalising_shift(const ImageView& left, const ImageView& right, int rows) {
+  LumaHistogram histogram{};
+  const int step = std::max(1, left.height / rows);
+  accumulate(left, histogram, 0, step);
+  if (!right.empty()) accumulate(right, histogram, step / 2, step);
+  return equalising_shift(histogram);
+}
+
 LumaShift against_darkness(const LumaShift& shift) {
   LumaShift brightening = shift;
   for (int16_t& levels : brightening) levels = std::max<int16_t>(levels, 0);

@@ -36,6 +36,10 @@ LumaShift no_shift();
 // as it is.
 LumaShift equalising_shift(const LumaHistogram& histogram);
 
+// The one for a pair of images (the right one may be empty), from about `rows` rows of each, 1 or more: other rows of
+// the right one than of the left.
+LumaShift equalising_shift(const ImageView& left, const ImageView& right, int rows);
+
 // The shift without what darkens: a mark that is the darkest thing of a bright scene would otherwise drown.
 LumaShift against_darkness(const LumaShift& shift);
 

@@ -133,11 +133,7 @@ const Output& MarkDetector::step(const Input& input, State& state) const {
 // One table for both images, so that a mark is judged alike in both.
 LumaShift MarkDetector::equalise(const Input& input) const {
   if (!parameters_.equalise) return no_shift();
-  LumaHistogram histogram{};
-  const int step = std::max(1, input.left.height / parameters_.histogram_rows);
-  accumulate(input.left, histogram, 0, step);
-  if (!input.right.empty()) accumulate(input.right, histogram, step / 2, step);
-  return against_darkness(equalising_shift(histogram));
+  return against_darkness(equalising_shift(input.left, input.right, parameters_.histogram_rows));
 }
 
 // The marks that both images of the frame before showed. A free mark is all that has its colour, wherever.

@@ -55,11 +55,8 @@ std::vector<target_locator::Location> Ours::locate(const mark_detector::Output& 
 }
 
 mark_detector::LumaShift Ours::equalise(const StereoPair& pair) const {
-  mark_detector::LumaHistogram histogram{};
-  const int step = std::max(1, pair.left.rows / parameters_.histogram_rows);
-  mark_detector::accumulate(view_of(pair.left), histogram, 0, step);
-  mark_detector::accumulate(view_of(pair.right), histogram, step / 2, step);
-  return mark_detector::against_darkness(mark_detector::equalising_shift(histogram));
+  return mark_detector::against_darkness(
+      mark_detector::equalising_shift(view_of(pair.left), view_of(pair.right), parameters_.histogram_rows));
 }
 
 void Ours::classify(const StereoPair& pair, const mark_detector::LumaShift& shift) {

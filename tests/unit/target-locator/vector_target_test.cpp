@@ -1,5 +1,5 @@
-// Every vector instruction set that this processor has agrees with the plain definition: integers to the last bit,
-// floats to rounding.
+// Every vector instruction set that this processor has agrees with the plain definition,
+// to rounding.
 
 #include <gtest/gtest.h>
 
