@@ -11,7 +11,8 @@ void align_rows(const PlaneImage& right, const PatchFrame& right_frame, const Pa
   if (right.empty()) return;
   for (int y = 0; y < left_height; ++y) {
     const double position = right_frame.row_of(left_frame.v_of(y) + row_offset);
-    const double clamped = std::clamp(position, -1.0, static_cast<double>(right.height));
+    // Also of what is no number.
+    const double clamped = position > -1.0 ? std::min(position, static_cast<double>(right.height)) : -1.0;
     const int whole = static_cast<int>(std::floor(clamped));
     const auto fraction = static_cast<float>(clamped - whole);
     const auto line = [&right](int row) { return right.row(std::clamp(row, 0, right.height - 1)); };
