@@ -139,6 +139,11 @@ LearnedColour learn_colour(const std::vector<LearningPicture>& pictures, const L
                                median + parameters.hue_half_width_deg);
   const double pale = quantile(cluster, parameters.trimmed, [](const Pixel& pixel) { return pixel.saturation; });
   const double dark = quantile(cluster, parameters.trimmed, [](const Pixel& pixel) { return pixel.value; });
+  if (pale < parameters.least_saturation) {
+    learned.failure = "its palest pixels have a saturation of " + percent(pale) + ", allowed at least " +
+                      percent(parameters.least_saturation) + ": too pale to be told from what is grey";
+    return learned;
+  }
   learned.interval.hue_min_deg = wrapped(std::floor(peak + low));
   learned.interval.hue_max_deg = wrapped(std::ceil(peak + high));
   learned.interval.saturation_min = hundredths(parameters.saturation_share * pale);

@@ -15,6 +15,7 @@ struct LearningParameters {
   int chroma_min = 14;   // levels, as the detector's
   int clipped = 250;  // level; a channel from here on may be clipped, which turns the hue: left out if enough remains
   double coloured_share = 0.15;      // of the box that must have colour
+  double least_saturation = 0.12;    // of the pixels' least: what is paler cannot be told from a wall
   double cluster_share = 0.5;        // of the coloured pixels that one hue must have
   double cluster_deg = 30.0;         // either way of its peak: what belongs to one hue
   double trimmed = 0.02;             // share of the pixels beyond either end: edges, dirt

@@ -85,14 +85,14 @@ void FillMeasures(const Gradients& gradients, float trace_floor, CornerMeasures&
   const int n = static_cast<int>(hn::Lanes(d));
   const int w = gradients.column.width;
   const int h = gradients.column.height;
-  constexpr int kProducts = 3;
-  constexpr int kRing = 2 * kRadius + 1;
+  constexpr std::size_t kProducts = 3;
+  constexpr std::size_t kRing = 2 * kRadius + 1;
   PlaneImage& lines = measures.lines;
-  lines.resize(w, kProducts * (1 + kRing));
+  lines.resize(w, static_cast<int>(kProducts * (1 + kRing)));
   std::array<std::array<float*, kProducts>, kRing> ring{};
-  for (int k = 0; k < kRing; ++k) {
-    for (int p = 0; p < kProducts; ++p) {
-      ring[k][p] = lines.row(kProducts * (1 + k) + p);
+  for (std::size_t k = 0; k < kRing; ++k) {
+    for (std::size_t p = 0; p < kProducts; ++p) {
+      ring[k][p] = lines.row(static_cast<int>(kProducts * (1 + k) + p));
       std::fill(ring[k][p], ring[k][p] + w, 0.0F);
     }
   }
@@ -110,8 +110,8 @@ void FillMeasures(const Gradients& gradients, float trace_floor, CornerMeasures&
         hn::StoreU(hn::Mul(c, r), d, lines.row(1) + x);
         hn::StoreU(hn::Mul(r, r), d, lines.row(2) + x);
       }
-      for (int p = 0; p < kProducts; ++p) {
-        float* in = lines.row(p);
+      for (std::size_t p = 0; p < kProducts; ++p) {
+        float* in = lines.row(static_cast<int>(p));
         for (int k = 0; k < kRadius; ++k) in[w + k] = in[-1 - k] = 0.0F;
         for (int x = 0; x < w; x += n) {
           hn::StoreU(smooth(hn::LoadU(d, in + x - 2), hn::LoadU(d, in + x - 1), hn::LoadU(d, in + x),

@@ -93,9 +93,8 @@ std::optional<Ending> Dialogue::devices_ending() const {
               with_reason(name + (device.latched ? " is still stopped" : " is not stopped"), device.reason);
   }
   if (!others.empty()) return Ending{kExitRefused, others};
-  return Ending{kExitReached, action_ == Action::kStop
-                                  ? "stopped: task-operator reset releases it"
-                                  : "released: nothing moves until it is told to (task-operator start or home)"};
+  return Ending{kExitReached, action_ == Action::kStop ? "stopped: task-operator reset releases it"
+                                                       : "released: nothing moves until it is told to (start or home)"};
 }
 
 // Why START or HOME must not be sent.

@@ -76,6 +76,10 @@ bool experiment(const ExperimentOptions& options) {
   for (const HiddenMarkDraw& draw : hidden) {
     if (std::max(draw.hidden_left, draw.hidden_right) >= kAboutHalf) half.push_back(draw);
   }
+  std::printf(
+      "\nbar: squared Mahalanobis distance to the true centre below 11.34 (chance: 99%%) in 98%%, its mean (NEES) 2 to "
+      "4.5,\n"
+      "median sigma at most 1.5 mm; of 1,000 draws, fewer scatter\n");
   const Consistency of_whole = scenes::consistency_of(whole);
   const Consistency of_hidden = scenes::consistency_of(hidden);
   const Consistency of_half = scenes::consistency_of(half);
