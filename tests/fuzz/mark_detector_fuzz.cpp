@@ -46,10 +46,10 @@ Parameters take_parameters(FuzzedDataProvider& data) {
   parameters.hole_fraction = data.ConsumeFloatingPointInRange(0.0, 1.0);
   parameters.noise_hole = data.ConsumeIntegralInRange<int64_t>(0, 40);
   parameters.memory_frames = data.ConsumeIntegralInRange(0, 3);
-  parameters.outline.band = data.ConsumeIntegralInRange(0, 8);
-  parameters.outline.reach = data.ConsumeIntegralInRange(0, 40);
-  parameters.outline.contrast_min = data.ConsumeFloatingPointInRange(0.0, 300.0);
-  parameters.outline.beside_max = data.ConsumeFloatingPointInRange(0.0, 2.0);
+  parameters.full_scan_every = data.ConsumeIntegralInRange(0, 4);
+  parameters.coarse_rows = data.ConsumeIntegralInRange(0, 10);
+  parameters.track_margin = data.ConsumeIntegralInRange(-1, 60);
+  parameters.adapt = data.ConsumeBool();
   parameters.selection.max_candidates = data.ConsumeIntegralInRange(-1, 64);
   parameters.selection.row_tolerance = data.ConsumeFloatingPointInRange(0.0, 200.0);
   parameters.patch.margin = data.ConsumeIntegralInRange(-1, 300);
