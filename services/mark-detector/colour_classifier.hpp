@@ -13,15 +13,11 @@
 //   noise:       C >= chroma_min
 // Saturation is the photographed pixel's, for C and V grow alike with light; that of the equalised one would fall with
 // light, because equalisation restores luma but not chroma. All tests are exact integer inequalities, so every
-// implementation must give the same bits. Coarse ones in 16 bits, a little wider, tell where the exact ones are needed.
+// implementation must give the same bits.
 
 #include <cstdint>
-#include <vector>
 
-#include "common/imaging/bit_mask.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/mark-detector/image_view.hpp"
-#include "services/mark-detector/luma_equalisation.hpp"
 
 namespace markservo::mark_detector {
 
@@ -29,7 +25,6 @@ namespace markservo::mark_detector {
 struct ColourRule {
   static constexpr int kHueScale = 1 << 14;
   static constexpr int kSaturationScale = 1 << 12;
-  static constexpr int kCoarseScale = 127;  // a product with a difference of levels fits 16 bits
 
   bool any_hue = false;
   bool wide = false;  // the cone is wider than half a turn: one half-plane is enough
@@ -42,15 +37,6 @@ struct ColourRule {
   int16_t value_min = 0;  // levels
   int16_t value_max = 255;
   int16_t chroma_min = 0;  // levels
-
-  // Contains what the above contains; both rays kCoarseScale long, the saturation kCoarseScale times C / V.
-  bool coarse_any_hue = false;
-  bool coarse_wide = false;
-  int16_t coarse_min_x = 0;
-  int16_t coarse_min_y = 0;
-  int16_t coarse_max_x = 0;
-  int16_t coarse_max_y = 0;
-  int16_t coarse_saturation_min = 0;
 };
 
 // The rule of an interval. Hue wraps; an interval of 360 degrees or more takes every hue, one narrower than 0.1 degrees

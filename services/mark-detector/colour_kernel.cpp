@@ -41,12 +41,6 @@ HWY_INLINE uint64_t bits_of(D d, M mask) {
   return word;
 }
 
-// a >= b, for numbers whose difference fits their type.
-template <class D, class V>
-HWY_INLINE auto at_least(D d, V a, V b) {
-  return hn::Gt(hn::Sub(a, b), hn::Set(d, -1));
-}
-
 // What the easiest of the rules asks for, in bytes and never more than that.
 struct Sieve {
   uint8_t chroma = 255;
@@ -57,12 +51,12 @@ struct Sieve {
 
 Sieve make_sieve(const FrameRule* rules, int num_rules) {
   Sieve sieve;
-  int least_saturation = ColourRule::kCoarseScale;
+  int least_saturation = ColourRule::kSaturationScale;
   for (int k = 0; k < num_rules; ++k) {
     sieve.chroma = static_cast<uint8_t>(std::min<int>(sieve.chroma, rules[k].rule.chroma_min));
-    least_saturation = std::min<int>(least_saturation, rules[k].rule.coarse_saturation_min);
+    least_saturation = std::min<int>(least_saturation, rules[k].rule.saturation_min);
   }
-  const int eighths = 8 * least_saturation / (ColourRule::kCoarseScale + 1);
+  const int eighths = std::min(7, 8 * least_saturation / ColourRule::kSaturationScale);
   const auto share = [eighths](int bit) { return static_cast<uint8_t>((eighths & bit) != 0 ? 255 : 0); };
   sieve.halves = share(4);
   sieve.quarters = share(2);
@@ -158,8 +152,7 @@ HWY_INLINE void extract(const uint8_t* bgr, Features& features) {
   }
 }
 
-// Where products of neighbours are added in one instruction, whose order is known, exact tests take no longer than
-// coarse ones.
+// Where products of neighbours are added in one instruction, and in a known order, 16 bits hold what the tests need.
 #define MARKSERVO_PAIRED_PRODUCTS (HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128)
 
 #if MARKSERVO_PAIRED_PRODUCTS
@@ -208,42 +201,14 @@ HWY_INLINE uint64_t belonging(const FrameRule& frame_rule, const Features& featu
   return bits;
 }
 #else
-// The pixels that may belong: in 16 bits, never missing one that does.
-HWY_INLINE uint64_t possible(const FrameRule& frame_rule, const Features& features) {
-  const Levels d;
-  const int n = static_cast<int>(hn::Lanes(d));
-  const ColourRule& rule = frame_rule.rule;
-  const auto min_x = hn::Set(d, rule.coarse_min_x);
-  const auto min_y = hn::Set(d, rule.coarse_min_y);
-  const auto max_x = hn::Set(d, rule.coarse_max_x);
-  const auto max_y = hn::Set(d, rule.coarse_max_y);
-  const auto saturation = hn::Set(d, rule.coarse_saturation_min);
-  const auto least_chroma = hn::Set(d, rule.chroma_min);
-  const auto least_value = hn::Set(d, frame_rule.possible_min);
-  const auto most_value = hn::Set(d, frame_rule.possible_max);
-  const auto minus_one = hn::Set(d, -1);
-  uint64_t bits = 0;
-  for (int u = 0; u < kBlock; u += n) {
-    const auto chroma = hn::Load(d, features.chroma + u);
-    const auto value = hn::Load(d, features.value + u);
-    auto mask = hn::And(at_least(d, chroma, least_chroma),
-                        at_least(d, hn::Mul(chroma, hn::Set(d, ColourRule::kCoarseScale)), hn::Mul(value, saturation)));
-    mask = hn::And(mask, hn::And(at_least(d, value, least_value), at_least(d, most_value, value)));
-    if (!rule.coarse_any_hue) {
-      const auto x = hn::Load(d, features.x + u);
-      const auto y = hn::Load(d, features.y + u);
-      // Products fit 16 bits; their difference may not, and keeps its sign by saturation.
-      const auto after_min = hn::Gt(hn::SaturatedSub(hn::Mul(min_x, y), hn::Mul(min_y, x)), minus_one);
-      const auto before_max = hn::Gt(hn::SaturatedSub(hn::Mul(x, max_y), hn::Mul(y, max_x)), minus_one);
-      mask = hn::And(mask, rule.coarse_wide ? hn::Or(after_min, before_max) : hn::And(after_min, before_max));
-    }
-    bits |= bits_of(d, mask) << u;
-  }
-  return bits;
+// a >= b, for numbers whose difference fits their type.
+template <class D, class V>
+HWY_INLINE auto at_least(D d, V a, V b) {
+  return hn::Gt(hn::Sub(a, b), hn::Set(d, -1));
 }
 
-// The exact tests of hue, saturation and chroma; `doubt` receives the pixels whose luma decides about their value.
-HWY_INLINE uint64_t exact(const FrameRule& frame_rule, const Features& features, uint64_t& doubt) {
+// The same in 32 bits.
+HWY_INLINE uint64_t belonging(const FrameRule& frame_rule, const Features& features, uint64_t& doubt) {
   const Wide d;
   const hn::Rebind<int16_t, Wide> levels;
   const int n = static_cast<int>(hn::Lanes(d));
@@ -273,11 +238,6 @@ HWY_INLINE uint64_t exact(const FrameRule& frame_rule, const Features& features,
   }
   doubt &= bits;
   return bits;
-}
-
-HWY_INLINE uint64_t belonging(const FrameRule& frame_rule, const Features& features, uint64_t& doubt) {
-  doubt = 0;
-  return possible(frame_rule, features) == 0 ? 0 : exact(frame_rule, features, doubt);
 }
 #endif  // MARKSERVO_PAIRED_PRODUCTS
 
@@ -370,9 +330,7 @@ void frame_rules(const std::vector<ColourRule>& rules, const LumaShift& shift, s
     // What equalisation would move beyond 0 or 255 stops there, and passes limits that lie there.
     constexpr int16_t kAny = 10000;  // beyond every level, and far from the type's end
     const auto narrow = [](int value) { return static_cast<int16_t>(value); };
-    frame_rule.possible_min = rule.value_min <= 0 ? narrow(-kAny) : narrow(rule.value_min - *most);
     frame_rule.certain_min = rule.value_min <= 0 ? narrow(-kAny) : narrow(rule.value_min - *least);
-    frame_rule.possible_max = rule.value_max >= 255 ? kAny : narrow(rule.value_max - *least);
     frame_rule.certain_max = rule.value_max >= 255 ? kAny : narrow(rule.value_max - *most);
     result.push_back(frame_rule);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The passes over every pixel, in vector code for the processor it runs on (Highway): all targets give the same bits.
+// The passes over pixels, in vector code for the processor it runs on (Highway): all targets give the same bits.
 
 #include <array>
 #include <cstddef>
@@ -15,10 +15,8 @@ namespace markservo::mark_detector {
 // A rule, with what one frame's equalisation leaves of its value test. V is the photographed value, levels.
 struct FrameRule {
   ColourRule rule;
-  int16_t possible_min = 0;  // V below cannot belong, whatever its luma
-  int16_t possible_max = 0;  // V above likewise
-  int16_t certain_min = 0;   // V from here ...
-  int16_t certain_max = 0;   // ... to here passes the value test, whatever its luma
+  int16_t certain_min = 0;  // V from here ...
+  int16_t certain_max = 0;  // ... to here passes the value test, whatever its luma
 };
 
 // The rules for a frame that is equalised by `shift`.

@@ -33,6 +33,12 @@ double gap(double low_1, double high_1, double low_2, double high_2) {
   return between_middles - 0.5 * (high_1 - low_1) - 0.5 * (high_2 - low_2);
 }
 
+// Within 64 times of what is usual, either way: no sequence of pictures leads a model beyond recall.
+double bounded(double value, double usual) {
+  constexpr double kMost = 64.0;
+  return std::clamp(value, usual / kMost, usual * kMost);
+}
+
 // Pixels of a mark, well inside it, in both images.
 class Pixels {
  public:
@@ -130,16 +136,6 @@ ColourModel::ColourModel(const std::vector<robot::MarkDescription>& marks, int c
     }
   }
 }
-
-namespace {
-
-// Within 64 times of what is usual, either way: no sequence of pictures leads a model beyond recall.
-double bounded(double value, double usual) {
-  constexpr double kMost = 64.0;
-  return std::clamp(value, usual / kMost, usual * kMost);
-}
-
-}  // namespace
 
 void ColourModel::predict(const LightChange& change, ColourState& state) const {
   const double kept = 1.0 - 1.0 / parameters_.memory_frames;

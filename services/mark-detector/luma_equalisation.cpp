@@ -8,6 +8,7 @@
 #include "services/mark-detector/colour_kernel.hpp"
 
 namespace markservo::mark_detector {
+
 void accumulate(const ImageView& image, LumaHistogram& histogram, int first_row, int row_step) {
   LumaCounts counts{};
   for (int v = first_row; v < image.height; v += row_step) count_luma_row(image.row(v), image.width, counts);

@@ -221,7 +221,7 @@ void MarkDetector::find_views(const Input& input, std::size_t mark, State& state
   const bool single = input.right.empty();
   const robot::MarkDescription& description = marks_[mark];
   Finding& finding = state.output.marks[mark];
-  State::Memory& memory = state.memory[mark];
+  const State::Memory& memory = state.memory[mark];
   BlobParameters blobs;
   blobs.min_area = parameters_.min_area;
   const auto find = [&](const BitMask& mask, BlobList& list) {

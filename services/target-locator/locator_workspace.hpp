@@ -16,10 +16,8 @@ struct LocatorWorkspace {
   StereoPatch patch;
   MarkMasks left;
   MarkMasks right;
-  Mask common;                 // what is well inside in both views
-  bool all_in_common = false;  // hardly anything is seen by one alone
+  Mask common;  // what is well inside in both views
   MarkColours left_colours;
-  MarkColours right_colours;
   CornerMeasures measures;
   std::vector<Feature> features;
   PlaneTemplates pixels;

@@ -15,9 +15,13 @@ namespace {
 
 constexpr double kLargestSlope = 0.4;  // px of disparity per px that boxes are believed about
 constexpr double kHidden = 0.96;       // share of a view's pixels that the other shows, below it something hides some
-constexpr int kSmallestPatch = 8;      // patch px along each axis
-constexpr double kFarthest = 1e4;      // m along each axis: nothing a robot sees is farther, and no message says so
-constexpr double kLeastKnown = 4e5;    // m^2, of a coordinate: likewise
+// What the print at an outline adds to the centre's covariance. Two views show the same print, so that their errors are
+// alike and do not average out as errors that count as independent do.
+constexpr double kOneViewDoubt = 1.32;
+constexpr double kTwoViewsDoubt = 2.0;
+constexpr int kSmallestPatch = 8;    // patch px along each axis
+constexpr double kFarthest = 1e4;    // m along each axis: nothing a robot sees is farther, and no message says so
+constexpr double kLeastKnown = 4e5;  // m^2, of a coordinate: likewise
 
 bool usable(const View& view) {
   const PatchFrame& frame = view.patch.frame;
@@ -95,8 +99,7 @@ std::optional<SeenCentre> image_centre(const View& view, const Mask& mask, const
   }
   std::optional<ImageCentre> centre;
   if (outline) {
-    // Both views see the same print at the outline, so that their errors are alike and do not average out.
-    centre = ImageCentre{outline->centre, 2.0 * outline->covariance};
+    centre = ImageCentre{outline->centre, kTwoViewsDoubt * outline->covariance};
     SquareOutline in_left = *outline;
     if (side == CameraSide::kRight) {
       for (auto& corner : in_left.corners) corner.x() += plane.at(corner.x(), corner.y()) / (1.0 - plane.along_u);
@@ -118,30 +121,23 @@ std::optional<SeenCentre> image_centre(const View& view, const Mask& mask, const
   return SeenCentre{*centre, false};
 }
 
-// Do the masks alone say that the right view shows as much of the mark as the left one, and in the same place? Then its
-// outline would tell nothing that the left one does not: both views show the same print there, so that their errors are
-// alike and do not average out.
-bool shown_alike(const PlaneSeed& seed, const DisparityPlane& plane, const LocatorWorkspace& work) {
-  constexpr double kNear = 1.0;  // px of disparity between masks and print
-  return work.all_in_common && std::abs(seed.plane.at(plane.u0, plane.v0) - plane.at_centre) <= kNear;
-}
-
-// The mark's centre from what both images show of it.
-std::optional<CentreEstimate> mark_centre(const MarkObservation& observation, const PlaneSeed& seed,
+// The mark's centre from what both images show of it. `alike`: the masks say that the right view shows as much of the
+// mark as the left one, and in the same place.
+std::optional<CentreEstimate> mark_centre(const MarkObservation& observation, bool alike,
                                           const PlaneAlignment& alignment, const geometry::StereoCamera& camera,
                                           const LocatorParameters& parameters, LocatorWorkspace& work) {
   const DisparityPlane& plane = alignment.plane;
   const auto left = image_centre(observation.left, work.left.mask, work.left_colours, plane, camera, CameraSide::kLeft,
                                  observation.size, parameters, work.contrast);
-  if (observation.size > 0.0 && left && left->outlined && shown_alike(seed, plane, work)) {
-    // Twice the covariance was for two views that count as independent and are not.
-    constexpr double kAlone = 0.66;
-    return fuse_centres(ImageCentre{left->centre.position, kAlone * left->centre.covariance}, std::nullopt, alignment,
+  if (observation.size > 0.0 && left && left->outlined && alike) {
+    // The right outline would tell nothing new, for it shows the same print.
+    const double share = kOneViewDoubt / kTwoViewsDoubt;
+    return fuse_centres(ImageCentre{left->centre.position, share * left->centre.covariance}, std::nullopt, alignment,
                         camera);
   }
-  work.right_colours = mark_colours(observation.right.patch, work.right);
-  const auto right = image_centre(observation.right, work.right.mask, work.right_colours, plane, camera,
-                                  CameraSide::kRight, observation.size, parameters, work.contrast);
+  const MarkColours right_colours = mark_colours(observation.right.patch, work.right);
+  const auto right = image_centre(observation.right, work.right.mask, right_colours, plane, camera, CameraSide::kRight,
+                                  observation.size, parameters, work.contrast);
   const bool whole = left && right && left->outlined && right->outlined;
   if (observation.size > 0.0 && !whole) {
     const Mask left_mask = half_covered(observation.left.patch, work.left.mask, parameters.mask_refinement);
@@ -191,8 +187,8 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
   make_template(patch, inside, parameters.alignment.max_rough_pixels, work.pixels.rough);
   const PlaneSeed seed = find_seed(observation, work, parameters);
   seen_by_both(inside, patch.left_frame, work.right.inner, patch.right_frame, seed.plane, work.common);
-  work.all_in_common = static_cast<double>(work.common.count()) >= kHidden * static_cast<double>(inside.count());
-  if (!work.all_in_common) {
+  const bool all_in_common = static_cast<double>(work.common.count()) >= kHidden * static_cast<double>(inside.count());
+  if (!all_in_common) {
     std::swap(inside, work.common);
     keep_within(inside, work.features);
     make_template(patch, inside, parameters.alignment.max_rough_pixels, work.pixels.rough);
@@ -242,7 +238,9 @@ Location locate_plane(const MarkObservation& observation, const geometry::Stereo
   }
   alignment->covariance *= plane_misfit(std::move(squared_scores));
 
-  const auto centre = mark_centre(observation, seed, *alignment, camera, parameters, work);
+  constexpr double kNear = 1.0;  // px of disparity between masks and print
+  const bool alike = all_in_common && std::abs(seed.plane.at(plane.u0, plane.v0) - plane.at_centre) <= kNear;
+  const auto centre = mark_centre(observation, alike, *alignment, camera, parameters, work);
   if (!centre) {
     location.status = Status::kInconsistent;
     return location;

@@ -62,7 +62,7 @@ double slope(const Surface& surface, const geometry::StereoCamera& camera) {
 
 // The mark anywhere between 220 and 300 mm, turned about the vertical until its disparity has that slope.
 Surface place_mark(const robot::RobotDescription& robot, const robot::MarkDescription& mark, double wanted_slope,
-                   std::mt19937& random) {
+                   bool even_print, std::mt19937& random) {
   const auto draw = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   const robot::CameraDescription& cameras = robot.cameras;
   const Eigen::Vector3d centre = scenes::point_at(cameras.stereo, draw(0.50, 0.85) * cameras.width,
@@ -71,7 +71,7 @@ Surface place_mark(const robot::RobotDescription& robot, const robot::MarkDescri
   const double roll_deg = draw(-10.0, 10.0);
   const auto turned = [&](double yaw_deg) {
     Surface surface = scenes::mark_surface(mark, centre, {yaw_deg, 0.0, roll_deg}, seed);
-    surface.even = true;  // as the simulator's marks are printed: with value and saturation spread over their range
+    surface.even = even_print;
     return surface;
   };
   double low = -45.0;
@@ -168,7 +168,8 @@ MatchErrors measure(const robot::RobotDescription& robot, const std::vector<robo
   while (static_cast<int>(collected.errors.size()) < parameters.num_matches && result.marks < kMostMarks) {
     const std::size_t which = static_cast<std::size_t>(result.marks++) % marks.size();
     // Either way round, as often.
-    const Surface mark = place_mark(robot, marks[which], result.marks % 2 == 0 ? wanted_slope : -wanted_slope, random);
+    const double this_slope = result.marks % 2 == 0 ? wanted_slope : -wanted_slope;
+    const Surface mark = place_mark(robot, marks[which], this_slope, parameters.even_print, random);
     const scenes::StagedPair pair = stage.render({mark}, mark, noise);
     mark_detector::Input input;
     input.left = scenes::view_of(pair.left.frame);

@@ -10,10 +10,11 @@
 namespace markservo::bench {
 
 struct AccuracyParameters {
-  int num_matches = 800;  // of a case, at least: the rms is then known to 3%
-  double slant = 0.12;    // px of disparity per px along the rows, of the slanted case
-  double sigma = 3.0;     // grey levels of noise in each channel, and rounding to whole levels after it
-  double blur_px = 0.6;   // sigma of the lens
+  int num_matches = 800;   // of a case, at least: the rms is then known to 3%
+  double slant = 0.12;     // px of disparity per px along the rows, of the slanted case
+  double sigma = 3.0;      // grey levels of noise in each channel, and rounding to whole levels after it
+  double blur_px = 0.6;    // sigma of the lens
+  bool even_print = true;  // as the simulator's marks are printed; else mostly values in between: less texture
   unsigned seed = 1;
 };
 

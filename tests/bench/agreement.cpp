@@ -46,7 +46,7 @@ double box_difference(const mark_detector::Shape& ours, const cv::Rect& theirs) 
 }
 
 // What the baseline's disparities are off the truth, px; nothing for too few.
-std::optional<double> baseline_error(const BaselineAt::Mark& mark, const MarkTruth& truth,
+std::optional<double> baseline_error(const BaselineAt::Mark& mark, const scenes::Surface& truth,
                                      const geometry::StereoCamera& camera) {
   constexpr std::size_t kMinMatches = 6;  // as ours
   if (mark.matches.size() < kMinMatches) return std::nullopt;
@@ -63,16 +63,16 @@ double disparity_of(const Eigen::Vector3d& p_C, const geometry::StereoCamera& ca
 
 }  // namespace
 
-Agreement compare(const std::vector<StereoPair>& pairs, const geometry::StereoCamera& camera, Ours& ours,
+Agreement compare(const std::vector<scenes::StereoPair>& pairs, const geometry::StereoCamera& camera, Ours& ours,
                   BaselineAt& theirs) {
   Agreement result;
   Samples samples;
-  for (const StereoPair& pair : pairs) {
+  for (const scenes::StereoPair& pair : pairs) {
     const Ours::Result our_result = ours.run(pair);
     const std::vector<BaselineAt::Mark>& their_marks = theirs.run(pair.left, pair.right);
     for (std::size_t i = 0; i < pair.marks.size(); ++i) {
       ++result.marks;
-      const MarkTruth& truth = pair.marks[i];
+      const scenes::Surface& truth = pair.marks[i];
       const mark_detector::Finding& finding = our_result.detection.marks[i];
       const target_locator::Location& location = our_result.locations[i];
       const BaselineAt::Mark& mark = their_marks[i];

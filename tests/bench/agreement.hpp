@@ -7,7 +7,7 @@
 
 #include "tests/bench/baseline_at.hpp"
 #include "tests/bench/ours.hpp"
-#include "tests/bench/stereo_scene.hpp"
+#include "tests/scenes/stereo_scene.hpp"
 
 namespace markservo::bench {
 
@@ -38,7 +38,7 @@ struct Agreement {
 
 // The disparity at a mark's centre: ours from the place it gives; theirs is the median over its matches of what each is
 // off the mark's true plane, added to the true centre's.
-Agreement compare(const std::vector<StereoPair>& pairs, const geometry::StereoCamera& camera, Ours& ours,
+Agreement compare(const std::vector<scenes::StereoPair>& pairs, const geometry::StereoCamera& camera, Ours& ours,
                   BaselineAt& theirs);
 
 }  // namespace markservo::bench

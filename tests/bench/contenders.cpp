@@ -20,7 +20,7 @@ constexpr int kSomePairs = 16;  // of what takes tens of ms
 
 class List {
  public:
-  explicit List(const std::vector<StereoPair>& pairs) : pairs_(pairs) {}
+  explicit List(const std::vector<scenes::StereoPair>& pairs) : pairs_(pairs) {}
 
   // `call` takes a pair.
   template <class Call>
@@ -36,22 +36,22 @@ class List {
   std::vector<Contender> take() { return std::move(contenders_); }
 
  private:
-  const std::vector<StereoPair>& pairs_;
+  const std::vector<scenes::StereoPair>& pairs_;
   std::vector<Contender> contenders_;
 };
 
 // The stages, each given what the ones before it made of the same pair.
-void add_stages(const std::vector<StereoPair>& pairs, const std::shared_ptr<Ours>& ours, List& list) {
+void add_stages(const std::vector<scenes::StereoPair>& pairs, const std::shared_ptr<Ours>& ours, List& list) {
   auto shifts = std::make_shared<std::vector<mark_detector::LumaShift>>();
   auto detections = std::make_shared<std::vector<mark_detector::Output>>();
-  for (const StereoPair& pair : pairs) {
+  for (const scenes::StereoPair& pair : pairs) {
     shifts->push_back(ours->equalise(pair));
     detections->push_back(ours->detect(pair));
   }
   list.add(names::kDetect, kAllPairs,
-           [ours](const StereoPair& pair) { benchmark::DoNotOptimize(ours->detect(pair).marks.data()); });
+           [ours](const scenes::StereoPair& pair) { benchmark::DoNotOptimize(ours->detect(pair).marks.data()); });
   list.add(names::kEqualise, kAllPairs,
-           [ours](const StereoPair& pair) { benchmark::DoNotOptimize(ours->equalise(pair)[0]); });
+           [ours](const scenes::StereoPair& pair) { benchmark::DoNotOptimize(ours->equalise(pair)[0]); });
   list.add_numbered(names::kClassify, kAllPairs,
                     [ours, shifts, &pairs](std::size_t i) { ours->classify(pairs[i], (*shifts)[i]); });
   list.add_numbered(names::kLocate, kAllPairs, [ours, detections](std::size_t i) {
@@ -64,26 +64,27 @@ void add_stages(const std::vector<StereoPair>& pairs, const std::shared_ptr<Ours
                     [labeller](std::size_t /*i*/) { benchmark::DoNotOptimize(labeller->label()); });
 }
 
-void add_references(const std::vector<StereoPair>& pairs, const std::vector<robot::MarkDescription>& marks,
+void add_references(const std::vector<scenes::StereoPair>& pairs, const std::vector<robot::MarkDescription>& marks,
                     const geometry::StereoCamera& camera, List& list) {
   const auto opencv_chain = std::make_shared<BaselineAt>(marks, camera);
-  list.add(names::kOpencvChain, kAllPairs, [opencv_chain](const StereoPair& pair) {
+  list.add(names::kOpencvChain, kAllPairs, [opencv_chain](const scenes::StereoPair& pair) {
     benchmark::DoNotOptimize(opencv_chain->run(pair.left, pair.right).data());
   });
   const auto near = std::make_shared<BlockMatching>(112, 256);  // 139 to 455 mm
   list.add(names::kStereoBmNear, kSomePairs,
-           [near](const StereoPair& pair) { benchmark::DoNotOptimize(near->run(pair.left, pair.right).data); });
+           [near](const scenes::StereoPair& pair) { benchmark::DoNotOptimize(near->run(pair.left, pair.right).data); });
   const auto usual = std::make_shared<BlockMatching>(0, 64);
-  list.add(names::kStereoBm64, kSomePairs,
-           [usual](const StereoPair& pair) { benchmark::DoNotOptimize(usual->run(pair.left, pair.right).data); });
+  list.add(names::kStereoBm64, kSomePairs, [usual](const scenes::StereoPair& pair) {
+    benchmark::DoNotOptimize(usual->run(pair.left, pair.right).data);
+  });
   const auto flow = std::make_shared<CornersAndFlow>();
   list.add(names::kCornersAndFlow, kSomePairs,
-           [flow](const StereoPair& pair) { benchmark::DoNotOptimize(flow->run(pair.left, pair.right)); });
+           [flow](const scenes::StereoPair& pair) { benchmark::DoNotOptimize(flow->run(pair.left, pair.right)); });
   const auto tags = std::make_shared<TagSearch>();
   list.add(names::kAprilTag, kSomePairs,
-           [tags](const StereoPair& pair) { benchmark::DoNotOptimize(tags->run(pair.left, pair.right)); });
+           [tags](const scenes::StereoPair& pair) { benchmark::DoNotOptimize(tags->run(pair.left, pair.right)); });
   list.add(names::kColdRead, kAllPairs,
-           [](const StereoPair& pair) { benchmark::DoNotOptimize(read_once(pair.left, pair.right)); });
+           [](const scenes::StereoPair& pair) { benchmark::DoNotOptimize(read_once(pair.left, pair.right)); });
   list.add_numbered(names::kHotRead, kAllPairs, [&pairs](std::size_t /*i*/) {
     benchmark::DoNotOptimize(read_once(pairs.front().left, pairs.front().right));
   });
@@ -100,14 +101,15 @@ VectorTargets vector_targets() {
   return result;
 }
 
-std::vector<Contender> make_contenders(const std::vector<StereoPair>& pairs,
+std::vector<Contender> make_contenders(const std::vector<scenes::StereoPair>& pairs,
                                        const std::vector<robot::MarkDescription>& marks,
                                        const geometry::StereoCamera& camera) {
   List list(pairs);
   const auto add_ours = [&](const char* name, Scan scan, std::int64_t vector_target) {
     const auto ours = std::make_shared<Ours>(marks, camera, scan);
     list.add(
-        name, kAllPairs, [ours](const StereoPair& pair) { benchmark::DoNotOptimize(ours->run(pair).locations.data()); },
+        name, kAllPairs,
+        [ours](const scenes::StereoPair& pair) { benchmark::DoNotOptimize(ours->run(pair).locations.data()); },
         vector_target);
   };
   const VectorTargets targets = vector_targets();

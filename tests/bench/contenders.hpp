@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tests/bench/rounds.hpp"
-#include "tests/bench/stereo_scene.hpp"
+#include "tests/scenes/stereo_scene.hpp"
 
 namespace markservo::bench {
 
@@ -39,7 +39,7 @@ struct VectorTargets {
 VectorTargets vector_targets();
 
 // Those that this processor can run. `pairs` must outlive them.
-std::vector<Contender> make_contenders(const std::vector<StereoPair>& pairs,
+std::vector<Contender> make_contenders(const std::vector<scenes::StereoPair>& pairs,
                                        const std::vector<robot::MarkDescription>& marks,
                                        const geometry::StereoCamera& camera);
 

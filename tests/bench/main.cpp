@@ -28,7 +28,7 @@ int run(const Options& options) {
   const robot::RobotDescription robot = robot::load_robot_description(options.robot_file);
   const std::vector<robot::MarkDescription> marks = choose_marks(robot, options.robot_file);
   const geometry::StereoCamera& camera = robot.cameras.stereo;
-  const std::vector<StereoPair> pairs = render_pairs(robot.cameras, marks, SceneParameters{});
+  const std::vector<scenes::StereoPair> pairs = scenes::render_pairs(robot.cameras, marks, scenes::SceneParameters{});
   if (!options.picture.empty()) {
     cv::Mat both;
     cv::hconcat(pairs.front().left, pairs.front().right, both);
@@ -41,8 +41,11 @@ int run(const Options& options) {
   const Agreement agreement = compare(pairs, camera, ours, opencv_chain);
   const Times times = run_rounds(make_contenders(pairs, marks, camera), options.num_rounds, pairs.size());
 
-  const Accuracy accuracy = measure_accuracy(robot, marks, AccuracyParameters{});
-  const nlohmann::ordered_json report = report_json(times, agreement, accuracy, options.num_rounds);
+  AccuracyParameters soft;
+  soft.even_print = false;
+  const Accuracy even_print = measure_accuracy(robot, marks, AccuracyParameters{});
+  const Accuracy soft_print = measure_accuracy(robot, marks, soft);
+  const nlohmann::ordered_json report = report_json(times, agreement, even_print, soft_print, options.num_rounds);
   std::cout << (options.json ? report.dump() + "\n" : report_text(report));
   // Following the marks must not be bought with answers either.
   Ours following(marks, camera, Scan::kTracked);

@@ -32,12 +32,12 @@ Ours::Ours(const std::vector<robot::MarkDescription>& marks, const geometry::Ste
   }
 }
 
-Ours::Result Ours::run(const StereoPair& pair) {
+Ours::Result Ours::run(const scenes::StereoPair& pair) {
   const mark_detector::Output& detection = detect(pair);
   return {detection, locate(detection)};
 }
 
-const mark_detector::Output& Ours::detect(const StereoPair& pair) {
+const mark_detector::Output& Ours::detect(const scenes::StereoPair& pair) {
   mark_detector::Input input;
   input.left = view_of(pair.left);
   input.right = view_of(pair.right);
@@ -54,12 +54,12 @@ std::vector<target_locator::Location> Ours::locate(const mark_detector::Output& 
   return locations;
 }
 
-mark_detector::LumaShift Ours::equalise(const StereoPair& pair) const {
+mark_detector::LumaShift Ours::equalise(const scenes::StereoPair& pair) const {
   return mark_detector::against_darkness(
       mark_detector::equalising_shift(view_of(pair.left), view_of(pair.right), parameters_.histogram_rows));
 }
 
-void Ours::classify(const StereoPair& pair, const mark_detector::LumaShift& shift) {
+void Ours::classify(const scenes::StereoPair& pair, const mark_detector::LumaShift& shift) {
   mark_detector::frame_rules(rules_, shift, frame_rules_);
   for (const auto& [image, masks] :
        {std::pair(view_of(pair.left), &left_masks_), std::pair(view_of(pair.right), &right_masks_)}) {

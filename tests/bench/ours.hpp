@@ -9,7 +9,7 @@
 #include "common/robot/robot_description.hpp"
 #include "services/mark-detector/mark_detector.hpp"
 #include "services/target-locator/mark_locator.hpp"
-#include "tests/bench/stereo_scene.hpp"
+#include "tests/scenes/stereo_scene.hpp"
 
 namespace markservo::bench {
 
@@ -25,14 +25,14 @@ class Ours {
   Ours(const std::vector<robot::MarkDescription>& marks, const geometry::StereoCamera& camera, Scan scan);
 
   // The whole chain.
-  Result run(const StereoPair& pair);
+  Result run(const scenes::StereoPair& pair);
   // Its two services.
-  const mark_detector::Output& detect(const StereoPair& pair);
+  const mark_detector::Output& detect(const scenes::StereoPair& pair);
   std::vector<target_locator::Location> locate(const mark_detector::Output& detection);
 
   // The detector's parts, with what each needs from the one before it.
-  mark_detector::LumaShift equalise(const StereoPair& pair) const;
-  void classify(const StereoPair& pair, const mark_detector::LumaShift& shift);
+  mark_detector::LumaShift equalise(const scenes::StereoPair& pair) const;
+  void classify(const scenes::StereoPair& pair, const mark_detector::LumaShift& shift);
   std::size_t label();  // what was classified last; the number of blobs
 
  private:

@@ -11,9 +11,9 @@
 namespace markservo::fuzz {
 namespace {
 
-// What every message says of itself, and what its rules ask for.
+// With what every message says of itself.
 template <class M>
-M valid_message() {
+M numbered() {
   M message{};
   if constexpr (bus::has_seq<M>::value) {
     message.session = 1;
@@ -22,15 +22,19 @@ M valid_message() {
   return message;
 }
 
+// And with what its rules ask for.
+template <class M>
+M valid_message() {
+  return numbered<M>();
+}
+
 StereoCalibration calibration() {
   return {784.0, 784.0, 319.5, 319.5, 239.5, 0.065};
 }
 
 template <>
 StereoFrame valid_message<StereoFrame>() {
-  StereoFrame frame{};
-  frame.session = 1;
-  frame.seq = 1;
+  auto frame = numbered<StereoFrame>();
   frame.calibration = calibration();
   frame.width = 8;
   frame.height = 8;
@@ -60,9 +64,7 @@ MarkView view() {
 
 template <>
 MarkDetection valid_message<MarkDetection>() {
-  MarkDetection detection{};
-  detection.session = 1;
-  detection.seq = 1;
+  auto detection = numbered<MarkDetection>();
   detection.calibration = calibration();
   detection.width = 8;
   detection.height = 8;
@@ -77,9 +79,7 @@ MarkDetection valid_message<MarkDetection>() {
 
 template <>
 TargetPose valid_message<TargetPose>() {
-  TargetPose pose{};
-  pose.session = 1;
-  pose.seq = 1;
+  auto pose = numbered<TargetPose>();
   LocatedMark mark{};
   mark.name = "red";
   pose.marks = {mark};
@@ -89,9 +89,7 @@ TargetPose valid_message<TargetPose>() {
 
 template <>
 StereoMatches valid_message<StereoMatches>() {
-  StereoMatches matches{};
-  matches.session = 1;
-  matches.seq = 1;
+  auto matches = numbered<StereoMatches>();
   MarkMatches mark{};
   mark.name = "red";
   mark.num_matches = 1;
@@ -104,9 +102,7 @@ StereoMatches valid_message<StereoMatches>() {
 
 template <>
 JointState valid_message<JointState>() {
-  JointState state{};
-  state.session = 1;
-  state.seq = 1;
+  auto state = numbered<JointState>();
   state.num_joints = 3;
   state.position.assign(3, 0.0);
   state.speed.assign(3, 0.0);

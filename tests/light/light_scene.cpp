@@ -49,12 +49,12 @@ mark_detector::Input Frame::input(const geometry::StereoCamera& camera) const {
 LightScene::LightScene(const robot::CameraDescription& cameras, const std::vector<robot::MarkDescription>& marks,
                        double sigma, unsigned seed)
     : camera_(cameras.stereo), seed_(seed) {
-  bench::SceneParameters parameters;
+  scenes::SceneParameters parameters;
   parameters.num_pairs = 1;
   parameters.num_layouts = 1;
   parameters.sigma = 0.0;
   parameters.seed = seed;
-  bright_ = bench::render_pairs(cameras, marks, parameters).front();
+  bright_ = scenes::render_pairs(cameras, marks, parameters).front();
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const Eigen::Vector3d& p = bright_.marks[i].centre;
     const double u = camera_.fx * p.x() / p.y();
@@ -131,7 +131,7 @@ void LightScene::expose_view(const cv::Mat& view, const cv::Rect& window, const 
 }
 
 const Frame& LightScene::expose(const LightFrame& light, int index) {
-  const bench::StereoPair& pair = light.marks_hidden ? hidden_ : bright_;
+  const scenes::StereoPair& pair = light.marks_hidden ? hidden_ : bright_;
   const int margin = pair.left.cols / kWander_share;
   const cv::Rect window(wander(index, margin), cv::Size(pair.left.cols - margin, pair.left.rows - margin));
   cv::RNG random(seed_ * 100003U + static_cast<unsigned>(index));

@@ -9,8 +9,8 @@
 
 #include "common/robot/robot_description.hpp"
 #include "services/mark-detector/mark_detector.hpp"
-#include "tests/bench/stereo_scene.hpp"
 #include "tests/light/light_sequences.hpp"
+#include "tests/scenes/stereo_scene.hpp"
 
 namespace markservo::light {
 
@@ -47,8 +47,8 @@ class LightScene {
                    cv::Mat& image) const;
 
   geometry::StereoCamera camera_;
-  bench::StereoPair bright_;      // without noise
-  bench::StereoPair hidden_;      // with something before each mark
+  scenes::StereoPair bright_;     // without noise
+  scenes::StereoPair hidden_;     // with something before each mark
   std::vector<MarkPlace> marks_;  // in the scene
   std::vector<int> mark_px_;      // edge
   cv::Mat3s noise_;

@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "tests/scenes/clutter.hpp"
+
 namespace markservo::scenes {
 namespace {
 
@@ -15,26 +17,12 @@ constexpr int kBlurReach_px = 3;
 std::vector<Surface> wall_and_books(const robot::CameraDescription& cameras, unsigned seed) {
   std::mt19937 random(seed);
   const auto draw = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
-  std::vector<Surface> surfaces(1);
-  Surface& wall = surfaces.front();
-  wall.centre = {0.0, 0.45, 0.0};
-  wall.width = wall.height = 2.0;
-  wall.colour = bgr(30.0, 0.12, 0.7);
-  wall.cell = 0.006;
-  wall.depth = 0.5;
-  wall.seed = seed;
+  std::vector<Surface> surfaces{wall(seed)};
   constexpr int kNumBooks = 10;
   for (int i = 0; i < kNumBooks; ++i) {
-    Surface book;
-    book.centre =
+    const Eigen::Vector3d centre =
         point_at(cameras.stereo, draw(-0.3, 1.0) * cameras.width, draw(0.0, 1.0) * cameras.height, 0.42 - 0.01 * i);
-    book.width = draw(0.02, 0.06);
-    book.height = draw(0.08, 0.20);
-    book.colour = bgr(draw(0.0, 360.0), draw(0.0, 0.2), draw(0.25, 0.95));
-    book.cell = draw(0.002, 0.01);
-    book.depth = draw(0.1, 0.7);
-    book.seed = static_cast<unsigned>(random());
-    surfaces.push_back(book);
+    surfaces.push_back(muted_book(centre, random));
   }
   return surfaces;
 }

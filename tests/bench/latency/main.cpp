@@ -47,8 +47,8 @@ constexpr Kind kKinds[] = {
 constexpr double kRound = 2.0;  // s; chain and floor take turns, so that what the machine does falls on both
 
 // Two seconds at 30 Hz: six scenes for a while each, and 110 MB, far more than any cache holds.
-SceneParameters recording() {
-  SceneParameters parameters;
+scenes::SceneParameters recording() {
+  scenes::SceneParameters parameters;
   parameters.num_pairs = 60;
   parameters.num_layouts = 6;
   return parameters;
@@ -105,7 +105,8 @@ void start_hops(Processes& processes, const Options& options, const LogFolder& l
 }
 
 std::vector<KindResult> play_rounds(const Options& options, Player& chain, Player& floor,
-                                    const std::vector<StereoPair>& pairs, const geometry::StereoCamera& camera) {
+                                    const std::vector<scenes::StereoPair>& pairs,
+                                    const geometry::StereoCamera& camera) {
   std::vector<StereoFrame> raw = record_frames(pairs, camera, Encoding::kRaw);
   std::vector<StereoFrame> jpeg = record_frames(pairs, camera, Encoding::kJpeg);
   std::vector<KindResult> results;
@@ -149,8 +150,8 @@ int run(const Options& options) {
   const robot::RobotDescription robot = robot::load_robot_description(options.robot_file);
   if (!robot.arm) throw ConfigurationError(options.robot_file + ": arm: missing; allowed: an arm");
   std::cerr << "latency-bench: recording frames\n";
-  const std::vector<StereoPair> pairs =
-      render_pairs(robot.cameras, choose_marks(robot, options.robot_file), recording());
+  const std::vector<scenes::StereoPair> pairs =
+      scenes::render_pairs(robot.cameras, choose_marks(robot, options.robot_file), recording());
   std::vector<StereoFrame> first =
       record_frames({pairs.begin(), pairs.begin() + 1}, robot.cameras.stereo, Encoding::kRaw);
 

@@ -19,11 +19,11 @@ std::vector<std::uint8_t> bytes_of(const cv::Mat& image, Encoding encoding) {
 
 }  // namespace
 
-std::vector<StereoFrame> record_frames(const std::vector<StereoPair>& pairs, const geometry::StereoCamera& camera,
-                                       Encoding encoding) {
+std::vector<StereoFrame> record_frames(const std::vector<scenes::StereoPair>& pairs,
+                                       const geometry::StereoCamera& camera, Encoding encoding) {
   std::vector<StereoFrame> frames;
   frames.reserve(pairs.size());
-  for (const StereoPair& pair : pairs) {
+  for (const scenes::StereoPair& pair : pairs) {
     StereoFrame frame{};
     frame.calibration.fx = camera.fx;
     frame.calibration.fy = camera.fy;

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
-#include "tests/bench/stereo_scene.hpp"
+#include "tests/scenes/stereo_scene.hpp"
 
 namespace markservo::bench {
 
 enum class Encoding { kRaw, kJpeg };
 
 // One message a pair; utime, session and seq are the sender's to fill.
-std::vector<StereoFrame> record_frames(const std::vector<StereoPair>& pairs, const geometry::StereoCamera& camera,
-                                       Encoding encoding);
+std::vector<StereoFrame> record_frames(const std::vector<scenes::StereoPair>& pairs,
+                                       const geometry::StereoCamera& camera, Encoding encoding);
 
 }  // namespace markservo::bench

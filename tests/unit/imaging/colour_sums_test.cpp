@@ -4,19 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <hwy/targets.h>
 #include <random>
-#include <string>
 #include <vector>
+
+#include "tests/unit/vector_target.hpp"
 
 namespace markservo::imaging {
 namespace {
 
-class VectorTarget : public testing::TestWithParam<int64_t> {
- protected:
-  VectorTarget() { hwy::SetSupportedTargetsForTest(GetParam()); }
-  ~VectorTarget() override { hwy::SetSupportedTargetsForTest(0); }
-};
+class VectorTarget : public test::VectorTargetTest {};
 
 TEST_P(VectorTarget, SumsTheColoursOfTheChosenPixels) {
   std::mt19937 random(5);
@@ -72,8 +68,7 @@ TEST(ColourSums, TellMeanAndCovariance) {
   EXPECT_EQ(sums.covariance(1, 0), 10.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfThisProcessor, VectorTarget, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
-                         [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
+INSTANTIATE_TEST_SUITE_P(OfThisProcessor, VectorTarget, test::every_vector_target(), test::vector_target_name);
 
 }  // namespace
 }  // namespace markservo::imaging

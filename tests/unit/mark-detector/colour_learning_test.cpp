@@ -88,6 +88,11 @@ TEST(ColourLearning, SaysWhyABoxHasNoHue) {
   EXPECT_NE(learn(patchwork, 0, 0, 60, 60).failure.find("no hue dominates"), std::string::npos);
 }
 
+TEST(ColourLearning, RefusesAMarkTooPaleToBeToldFromAWall) {
+  const Colour pale_orange{205.0, 215.0, 228.0};
+  EXPECT_NE(learn(picture_of(pale_orange, kGrey), 45, 30, 30, 30).failure.find("too pale"), std::string::npos);
+}
+
 TEST(ColourLearning, KnowsWhichIntervalsOverlap) {
   const robot::ColourInterval red{345.0, 15.0, 0.5, 1.0, 0.2, 1.0};
   EXPECT_TRUE(overlap(red, {10.0, 30.0, 0.5, 1.0, 0.2, 1.0}));

@@ -3,23 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
+
+#include "tests/unit/imaging/random_mask.hpp"
 
 namespace markservo::mark_detector {
 namespace {
 
-BitMask random_mask(int width, int height, double share, unsigned seed) {
-  std::mt19937 random(seed);
-  std::bernoulli_distribution set(share);
-  BitMask mask(width, height);
-  // Rows without a pixel stay unused.
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      if (set(random)) mask.set(u, v, true);
-    }
-  }
-  return mask;
-}
+using imaging::test::random_mask;
 
 bool majority_at(const BitMask& mask, int u, int v) {
   int n = 0;

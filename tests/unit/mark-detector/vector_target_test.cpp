@@ -2,22 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <hwy/targets.h>
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include "services/mark-detector/colour_kernel.hpp"
+#include "tests/unit/vector_target.hpp"
 
 namespace markservo::mark_detector {
 namespace {
 
-class VectorTarget : public testing::TestWithParam<int64_t> {
+class VectorTarget : public test::VectorTargetTest {
  protected:
-  VectorTarget() { hwy::SetSupportedTargetsForTest(GetParam()); }
-  ~VectorTarget() override { hwy::SetSupportedTargetsForTest(0); }
-
   // Grey with coloured patches, like a scene; or every level anywhere.
   std::vector<uint8_t> random_row(int width, bool scene) {
     std::uniform_int_distribution<int> level(0, 255);
@@ -92,8 +89,7 @@ TEST_P(VectorTarget, CountsEveryLuma) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfThisProcessor, VectorTarget, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
-                         [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
+INSTANTIATE_TEST_SUITE_P(OfThisProcessor, VectorTarget, test::every_vector_target(), test::vector_target_name);
 
 }  // namespace
 }  // namespace markservo::mark_detector

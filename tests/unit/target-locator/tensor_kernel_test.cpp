@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include <hwy/targets.h>
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <string>
 #include <vector>
+
+#include "tests/unit/vector_target.hpp"
 
 namespace markservo::target_locator {
 namespace {
@@ -62,11 +62,7 @@ Corner corner_at(const PlaneImage& image, int x, int y) {
   return trace >= 1.0 ? Corner{determinant / trace, 4.0 * determinant / (trace * trace)} : Corner{};
 }
 
-class TensorKernel : public testing::TestWithParam<int64_t> {
- protected:
-  TensorKernel() { hwy::SetSupportedTargetsForTest(GetParam()); }
-  ~TensorKernel() override { hwy::SetSupportedTargetsForTest(0); }
-};
+class TensorKernel : public test::VectorTargetTest {};
 
 TEST_P(TensorKernel, FillsGradientsMeasuresAndMaxima) {
   std::mt19937 random(3);
@@ -110,8 +106,7 @@ TEST_P(TensorKernel, FillsGradientsMeasuresAndMaxima) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfThisProcessor, TensorKernel, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
-                         [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
+INSTANTIATE_TEST_SUITE_P(OfThisProcessor, TensorKernel, test::every_vector_target(), test::vector_target_name);
 
 }  // namespace
 }  // namespace markservo::target_locator

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <hwy/targets.h>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -12,15 +11,13 @@
 #include "services/target-locator/plane_kernel.hpp"
 #include "services/target-locator/projection_kernel.hpp"
 #include "services/target-locator/window_kernel.hpp"
+#include "tests/unit/vector_target.hpp"
 
 namespace markservo::target_locator {
 namespace {
 
-class VectorTarget : public testing::TestWithParam<int64_t> {
+class VectorTarget : public test::VectorTargetTest {
  protected:
-  VectorTarget() { hwy::SetSupportedTargetsForTest(GetParam()); }
-  ~VectorTarget() override { hwy::SetSupportedTargetsForTest(0); }
-
   std::vector<std::uint8_t> bytes(std::size_t count, int most) {
     std::uniform_int_distribution<int> level(0, most);
     std::vector<std::uint8_t> result(count);
@@ -213,8 +210,7 @@ TEST_P(VectorTarget, SumsResidualsAndDerivativesOfTheUsedPixels) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfThisProcessor, VectorTarget, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
-                         [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
+INSTANTIATE_TEST_SUITE_P(OfThisProcessor, VectorTarget, test::every_vector_target(), test::vector_target_name);
 
 }  // namespace
 }  // namespace markservo::target_locator

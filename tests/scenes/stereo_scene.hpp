@@ -2,29 +2,18 @@
 
 // Stereo pairs whose truth is known: printed square marks on cards before a cluttered wall, with noise.
 
-#include <Eigen/Core>
-#include <cstdint>
 #include <opencv2/core.hpp>
-#include <string>
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
+#include "tests/scenes/printed_surface.hpp"
 
-namespace markservo::bench {
-
-struct MarkTruth {
-  std::string name;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();   // m, in C
-  Eigen::Vector3d outward = Eigen::Vector3d::Zero();  // unit normal of its plane, away from the cameras
-
-  // u_left - u_right of the mark's plane at a place of the left image, px: a plane's disparity is linear.
-  double disparity(const geometry::StereoCamera& camera, double u, double v) const;
-};
+namespace markservo::scenes {
 
 struct StereoPair {
-  cv::Mat left;   // 8-bit BGR
-  cv::Mat right;  // likewise
-  std::vector<MarkTruth> marks;
+  cv::Mat left;                // 8-bit BGR
+  cv::Mat right;               // likewise
+  std::vector<Surface> marks;  // as asked for
 };
 
 struct SceneParameters {
@@ -41,4 +30,4 @@ std::vector<StereoPair> render_pairs(const robot::CameraDescription& cameras,
                                      const std::vector<robot::MarkDescription>& marks,
                                      const SceneParameters& parameters);
 
-}  // namespace markservo::bench
+}  // namespace markservo::scenes

@@ -1,30 +1,22 @@
-#include "tests/bench/stereo_scene.hpp"
+#include "tests/scenes/stereo_scene.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <future>
 #include <opencv2/imgproc.hpp>
 #include <random>
-#include <utility>
 
-#include "tests/scenes/printed_surface.hpp"
+#include "tests/scenes/clutter.hpp"
+#include "tests/scenes/mark_stage.hpp"
 
-namespace markservo::bench {
+namespace markservo::scenes {
 namespace {
 
-using scenes::bgr;
-using scenes::mark_colour;
-using scenes::point_at;
-using scenes::Surface;
-
 constexpr int kSamples = 4;  // a pixel, along each axis
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 
 // A scene: surfaces from far to near, with the marks among them.
 struct Layout {
   std::vector<Surface> surfaces;
-  std::vector<MarkTruth> marks;
+  std::vector<Surface> marks;
 };
 
 // Muted books and small things of the marks' colours before the wall, all of it behind the marks.
@@ -37,16 +29,7 @@ void add_clutter(const robot::CameraDescription& cameras, const std::vector<robo
   };
   constexpr int kNumBooks = 16;
   for (int i = 0; i < kNumBooks; ++i) {
-    Surface book;
-    book.centre = anywhere(draw(0.31, 0.42));
-    book.width = draw(0.02, 0.06);
-    book.height = draw(0.08, 0.20);
-    // Muted, for equalisation as OpenCV does it raises saturation in the dark.
-    book.colour = bgr(draw(0.0, 360.0), draw(0.0, 0.2), draw(0.25, 0.95));
-    book.cell = draw(0.002, 0.01);
-    book.depth = draw(0.1, 0.7);
-    book.seed = static_cast<unsigned>(random());
-    layout.surfaces.push_back(book);
+    layout.surfaces.push_back(muted_book(anywhere(draw(0.31, 0.42)), random));
   }
   constexpr int kNumDistractors = 9;
   for (int i = 0; i < kNumDistractors; ++i) {
@@ -72,17 +55,12 @@ void add_marks(const robot::CameraDescription& cameras, const std::vector<robot:
     const double row = (static_cast<double>(i) + 0.5) / static_cast<double>(marks.size()) * cameras.height;
     // Far enough to the right to be seen by the right camera as well, 231 px to the left at 220 mm.
     const double column = draw(0.47, 0.90) * cameras.width;
-    Surface mark;
-    mark.centre = point_at(cameras.stereo, column, row + draw(-10.0, 10.0), draw(0.22, 0.30));
-    mark.axes = (Eigen::AngleAxisd(draw(-18.0, 18.0) * kRadPerDeg, Eigen::Vector3d::UnitZ()) *
-                 Eigen::AngleAxisd(draw(-12.0, 12.0) * kRadPerDeg, Eigen::Vector3d::UnitX()) *
-                 Eigen::AngleAxisd(draw(-10.0, 10.0) * kRadPerDeg, Eigen::Vector3d::UnitY()))
-                    .toRotationMatrix();
-    mark.width = mark.height = marks[i].size;
-    mark.colour = mark_colour(marks[i].colour);
-    mark.cell = 0.0022;
-    mark.depth = 0.55;
-    mark.seed = static_cast<unsigned>(random());
+    const Eigen::Vector3d centre = point_at(cameras.stereo, column, row + draw(-10.0, 10.0), draw(0.22, 0.30));
+    const double roll_deg = draw(-10.0, 10.0);
+    const double pitch_deg = draw(-12.0, 12.0);
+    const double yaw_deg = draw(-18.0, 18.0);
+    const Surface mark =
+        mark_surface(marks[i], centre, {yaw_deg, pitch_deg, roll_deg}, static_cast<unsigned>(random()));
     Surface card = mark;
     card.width = card.height = 1.35 * marks[i].size;
     card.colour = bgr(40.0, 0.05, draw(0.7, 0.9));
@@ -90,7 +68,7 @@ void add_marks(const robot::CameraDescription& cameras, const std::vector<robot:
     card.depth = 0.15;
     layout.surfaces.push_back(card);
     layout.surfaces.push_back(mark);
-    layout.marks.push_back({marks[i].name, mark.centre, mark.axes.col(1)});
+    layout.marks.push_back(mark);
   }
 }
 
@@ -99,14 +77,7 @@ Layout make_layout(const robot::CameraDescription& cameras, const std::vector<ro
   std::mt19937 random(seed);
   Layout layout;
   add_clutter(cameras, marks, random, layout);
-  Surface wall;
-  wall.centre = {0.0, 0.45, 0.0};
-  wall.width = wall.height = 2.0;
-  wall.colour = bgr(30.0, 0.12, 0.7);
-  wall.cell = 0.006;
-  wall.depth = 0.5;
-  wall.seed = static_cast<unsigned>(random());
-  layout.surfaces.insert(layout.surfaces.begin(), wall);
+  layout.surfaces.insert(layout.surfaces.begin(), wall(static_cast<unsigned>(random())));
   add_marks(cameras, marks, random, layout);
   return layout;
 }
@@ -114,8 +85,8 @@ Layout make_layout(const robot::CameraDescription& cameras, const std::vector<ro
 // What one lens shows, without noise.
 cv::Mat3f render_view(const Layout& layout, const robot::CameraDescription& cameras, bool right, double blur_px) {
   cv::Mat3f samples(cameras.height * kSamples, cameras.width * kSamples, cv::Vec3f(0.0F, 0.0F, 0.0F));
-  const scenes::Eye eye(cameras.stereo, right);
-  for (const Surface& surface : layout.surfaces) scenes::paint(surface, eye, {0, 0}, kSamples, samples);
+  const Eye eye(cameras.stereo, right);
+  for (const Surface& surface : layout.surfaces) paint(surface, eye, {0, 0}, kSamples, samples);
   cv::Mat3f view;
   cv::resize(samples, view, {cameras.width, cameras.height}, 0.0, 0.0, cv::INTER_AREA);
   cv::GaussianBlur(view, view, {}, blur_px);
@@ -123,12 +94,6 @@ cv::Mat3f render_view(const Layout& layout, const robot::CameraDescription& came
 }
 
 }  // namespace
-
-double MarkTruth::disparity(const geometry::StereoCamera& camera, double u, double v) const {
-  const Eigen::Vector3d ray((u - camera.cx_left) / camera.fx, 1.0, -(v - camera.cy) / camera.fy);
-  const double depth = outward.dot(centre) / outward.dot(ray);
-  return camera.fx * camera.baseline / depth + camera.cx_left - camera.cx_right;
-}
 
 std::vector<StereoPair> render_pairs(const robot::CameraDescription& cameras,
                                      const std::vector<robot::MarkDescription>& marks,
@@ -143,12 +108,12 @@ std::vector<StereoPair> render_pairs(const robot::CameraDescription& cameras,
     const int end = (k + 1) * parameters.num_pairs / parameters.num_layouts;
     for (int i = k * parameters.num_pairs / parameters.num_layouts; i < end; ++i) {
       StereoPair& pair = pairs[static_cast<std::size_t>(i)];
-      pair.left = scenes::expose(left_view, parameters.sigma, random);
-      pair.right = scenes::expose(right_view, parameters.sigma, random);
+      pair.left = expose(left_view, parameters.sigma, random);
+      pair.right = expose(right_view, parameters.sigma, random);
       pair.marks = layout.marks;
     }
   }
   return pairs;
 }
 
-}  // namespace markservo::bench
+}  // namespace markservo::scenes
