@@ -5,22 +5,15 @@
 #include <initializer_list>
 #include <vector>
 
+#include "common/bus/rule_words.hpp"
+
 namespace markservo::bus {
 namespace {
 
 constexpr int32_t kMaxImageSide = 16384;               // px
 constexpr int64_t kMaxFramePixels = int64_t{1} << 25;  // 100 MB a side as BGR; a JPEG of a few bytes can claim any size
-constexpr double kMaxCovariance = 1e6;                 // m^2; beyond it the value says nothing
 constexpr double kMaxMarkVariance = 4e5;               // m^2; an answer may add two marks' and stays below the above
-constexpr double kMaxPosition = 1e4;                   // m; nothing a robot sees or reaches is farther
 constexpr double kMaxAngle = 1e4;                      // rad, of a joint
-
-bool all_finite(std::initializer_list<double> values) {
-  for (const double value : values) {
-    if (!std::isfinite(value)) return false;
-  }
-  return true;
-}
 
 bool all_finite(const std::vector<double>& values) {
   for (const double value : values) {
@@ -40,14 +33,6 @@ bool near(const Vector3& v) {
 
 std::string not_near(const char* field) {
   return std::string(field) + " is not finite or beyond 10 km; allowed: -10000 to 10000 m";
-}
-
-std::string not_finite(const char* field) {
-  return std::string(field) + " is not finite; allowed: finite numbers";
-}
-
-std::string wrong(const char* field, double value, const char* allowed) {
-  return std::string(field) + " is " + std::to_string(value) + "; allowed: " + allowed;
 }
 
 std::string calibration_violation(const StereoCalibration& c) {
@@ -188,7 +173,9 @@ std::string violation(const TaskCommand& command) {
   if (command.kind < TaskCommand::START || command.kind > TaskCommand::HOME) {
     return wrong("kind", command.kind, "0, 1 or 2");
   }
-  return near(command.p_CT_expected) ? "" : not_near("p_CT_expected");
+  if (!near(command.p_CT_expected)) return not_near("p_CT_expected");
+  const Pose2& stand = command.drive_pose;
+  return near({stand.x, stand.y, stand.heading}) ? "" : not_near("drive_pose");
 }
 
 std::string violation(const SimControl& control) {

@@ -3,15 +3,22 @@
 // What a well-formed message must also satisfy before it is worked on or sent: finite numbers, possible sizes, lengths
 // that agree. One function per type; the reason why not, or an empty text. A type without rules passes.
 
+#include <markservo/BaseCommand.hpp>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
 #include <markservo/JointCommand.hpp>
 #include <markservo/JointState.hpp>
 #include <markservo/MarkDetection.hpp>
+#include <markservo/RfidTagHits.hpp>
+#include <markservo/RobotPose.hpp>
 #include <markservo/ServoGoal.hpp>
 #include <markservo/ServoStatus.hpp>
 #include <markservo/SimControl.hpp>
+#include <markservo/SonarScan.hpp>
 #include <markservo/StereoFrame.hpp>
 #include <markservo/TargetPose.hpp>
 #include <markservo/TaskCommand.hpp>
+#include <markservo/WheelOdometry.hpp>
 #include <string>
 
 #include "common/bus/message_traits.hpp"
@@ -27,6 +34,13 @@ std::string violation(const JointCommand& command);
 std::string violation(const JointState& state);
 std::string violation(const TaskCommand& command);
 std::string violation(const SimControl& control);
+std::string violation(const RfidTagHits& hits);
+std::string violation(const WheelOdometry& odometry);
+std::string violation(const SonarScan& scan);
+std::string violation(const RobotPose& pose);
+std::string violation(const BaseGoal& goal);
+std::string violation(const BaseStatus& status);
+std::string violation(const BaseCommand& command);
 
 template <class M>
 std::string violation(const M&) {

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "common/robot/configuration_error.hpp"
+#include "common/robot/load_base.hpp"
 #include "common/robot/robot_description.hpp"
 #include "common/robot/yaml_section.hpp"
 
@@ -168,6 +169,7 @@ RobotDescription load_robot_description(const std::string& path) {
     law.require_all_used();
     robot.stop_devices = root.texts("stop_devices");
   }
+  load_base_sections(root, robot);
   root.require_all_used();
   return robot;
 }

@@ -94,6 +94,66 @@ struct PaperLawDescription {
   Eigen::Vector3d offset_TM = Eigen::Vector3d::Zero();  // m, wanted hand mark from the target mark, axes of C
 };
 
+// Differential drive. R's origin is in the middle between the wheels.
+struct BaseDescription {
+  double wheel_radius = 0.0;  // m
+  double track = 0.0;         // m, between the wheels' middles
+  int ticks_per_turn = 0;
+  int counter_bits = 32;  // the tick counters wrap around at 2^counter_bits
+  double front = 0.0;     // m, the outline in R: -rear <= x <= front, |y| <= half_width
+  double rear = 0.0;
+  double half_width = 0.0;
+  double speed_max = 0.0;              // m/s
+  double turn_rate_max = 0.0;          // rad/s
+  double acceleration_max = 0.0;       // m/s^2
+  double turn_acceleration_max = 0.0;  // rad/s^2
+
+  // m, way of a wheel per tick
+  double metres_per_tick() const;
+};
+
+// A ring of sonars around R's origin, evenly spaced, looking outward; number 0 ahead, then to the left.
+struct SonarRingDescription {
+  int number = 0;
+  double ring_radius = 0.0;  // m
+  double height = 0.0;       // m above the floor
+  double beam_width = 0.0;   // rad, full cone
+  double min_range = 0.0;    // m
+  double max_range = 0.0;    // m
+
+  // rad, direction of sonar `i` in R
+  double direction(int i) const;
+};
+
+struct RfidDescription {
+  Eigen::Vector2d p_RF = Eigen::Vector2d::Zero();  // m, the antenna's middle in R
+  double reading_radius = 0.0;                     // m, where half the reads fail
+  double edge_softness = 0.0;                      // m, scale of the logistic edge
+  double read_probability = 0.0;                   // (0, 1), of a tag well inside, each round
+  double round_time = 0.0;                         // s
+  double delay = 0.0;                              // s, from the middle of a round to its arrival at the host
+  double delay_sigma = 0.0;                        // s, its uncertainty
+};
+
+struct FloorTag {
+  std::string uid;                                // hexadecimal, upper case
+  Eigen::Vector2d p_W = Eigen::Vector2d::Zero();  // m
+};
+
+struct TagField {
+  std::string name;
+  std::vector<FloorTag> tags;  // one at least; no uid twice
+};
+
+struct FloorTagsDescription {
+  std::string in_use;         // a field's name
+  double survey_sigma = 0.0;  // m, each axis of every position
+  std::vector<TagField> fields;
+
+  // The field of that name, or the one in use if `name` is empty. Throws ConfigurationError if there is none.
+  const TagField& field(const std::string& name) const;
+};
+
 struct RobotDescription {
   CameraDescription cameras;
   std::optional<ArmDescription> arm;  // absent: two cameras and marks only
@@ -101,6 +161,10 @@ struct RobotDescription {
   WorkspaceParameters workspace;
   std::optional<PaperLawDescription> paper_law;
   std::vector<std::string> stop_devices;
+  std::optional<BaseDescription> base;  // absent: the robot stands
+  std::optional<SonarRingDescription> sonars;
+  std::optional<RfidDescription> rfid;
+  std::optional<FloorTagsDescription> floor_tags;
 
   // The mark of that name, or null.
   const MarkDescription* find_mark(const std::string& name) const;

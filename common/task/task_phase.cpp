@@ -6,14 +6,14 @@
 namespace markservo {
 
 const char* name_of(TaskPhase phase) {
-  constexpr std::array<const char*, 16> kNames = {"idle",   "look",    "approach", "servo",   "grip",    "lift",
+  constexpr std::array<const char*, 17> kNames = {"idle",   "look",    "approach", "servo",   "grip",    "lift",
                                                   "verify", "lift on", "carry",    "release", "go home", "lifted",
-                                                  "done",   "refused", "failed",   "stopped"};
+                                                  "done",   "refused", "failed",   "stopped", "drive"};
   return kNames.at(static_cast<std::size_t>(phase));
 }
 
 bool under_way(TaskPhase phase) {
-  return phase >= TaskPhase::kLook && phase <= TaskPhase::kGoHome;
+  return phase == TaskPhase::kDrive || (phase >= TaskPhase::kLook && phase <= TaskPhase::kGoHome);
 }
 
 }  // namespace markservo

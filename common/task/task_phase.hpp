@@ -22,6 +22,7 @@ enum class TaskPhase {
   kRefused,
   kFailed,
   kStopped,
+  kDrive,
 };
 
 // A word for a person: "look", "lift on", "lifted", ... Throws std::out_of_range if it is none of them.
