@@ -105,12 +105,12 @@ void check(const BoundInput& input) {
 }
 
 template <int n, class Motion>
-std::vector<Eigen::Matrix3d> recursion(const BoundInput& input, const TruePath& path, const Motion& motion,
+std::vector<Eigen::Matrix4d> recursion(const BoundInput& input, const TruePath& path, const Motion& motion,
                                        Eigen::Matrix<double, n, n> covariance) {
   check(input);
   covariance.template topLeftCorner<4, 4>().diagonal() << input.prior.position_variance, input.prior.heading_variance,
       input.prior.delay_variance;
-  std::vector<Eigen::Matrix3d> bounds;
+  std::vector<Eigen::Matrix4d> bounds;
   bounds.reserve(input.times.size());
   std::size_t next = 0;  // round that has not been learnt from
   double middle = input.rounds.front().middle;
@@ -122,20 +122,20 @@ std::vector<Eigen::Matrix3d> recursion(const BoundInput& input, const TruePath& 
     }
     Eigen::Matrix<double, n, n> live = covariance;
     move_on<n>(live, path, middle, time, motion);
-    bounds.push_back(live.template topLeftCorner<3, 3>());
+    bounds.push_back(live.template topLeftCorner<4, 4>());
   }
   return bounds;
 }
 
 }  // namespace
 
-std::vector<Eigen::Matrix3d> live_bound(const BoundInput& input, const TruePath& path, const EncoderNoise& noise) {
+std::vector<Eigen::Matrix4d> live_bound(const BoundInput& input, const TruePath& path, const EncoderNoise& noise) {
   Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero();
   covariance(kScale, kScale) = noise.scale_sigma * noise.scale_sigma;
   return recursion<5>(input, path, noise, covariance);
 }
 
-std::vector<Eigen::Matrix3d> live_bound(const BoundInput& input, const TruePath& path, const FreeMotion& motion) {
+std::vector<Eigen::Matrix4d> live_bound(const BoundInput& input, const TruePath& path, const FreeMotion& motion) {
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
   covariance(kSpeed, kSpeed) = motion.speed_variance;
   covariance(kTurnRate, kTurnRate) = motion.turn_rate_variance;

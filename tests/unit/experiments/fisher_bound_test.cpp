@@ -69,7 +69,7 @@ TEST(FisherBound, GrowsWithTheWayOnUnknownScale) {
   EncoderNoise noise = perfect_encoders();
   noise.scale_sigma = 0.02;
   input.times = {1.0};
-  const Eigen::Matrix3d bound = live_bound(input, path, noise).front();
+  const Eigen::Matrix4d bound = live_bound(input, path, noise).front();
   EXPECT_NEAR(std::sqrt(bound(0, 0)), 0.02 * 0.4, 1e-9);
   EXPECT_NEAR(bound(1, 1), 0.0, 1e-12);
 }
@@ -81,7 +81,7 @@ TEST(FisherBound, GrowsAcrossTheWayWithTheHeadingsDrift) {
   EncoderNoise noise = perfect_encoders();
   noise.heading_drift = 0.03;
   input.times = {5.0};
-  const Eigen::Matrix3d bound = live_bound(input, path, noise).front();
+  const Eigen::Matrix4d bound = live_bound(input, path, noise).front();
   const double way = 0.4 * 5.0;
   EXPECT_NEAR(bound(2, 2), 0.03 * 0.03 * way, 1e-9);
   EXPECT_NEAR(bound(1, 1), 0.03 * 0.03 * way * way * way / 3.0, 0.01 * bound(1, 1));
