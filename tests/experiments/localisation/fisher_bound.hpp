@@ -46,9 +46,9 @@ struct BoundInput {
   BoundPrior prior;
 };
 
-// The bound on the covariance of (x, y, heading, delay) at each of `input.times`, from the rounds that have arrived by then,
-// moved on from the middle of the last one. State: pose, delay, scale of the encoders.
-// Throws std::invalid_argument if rounds or times are not as BoundInput says.
+// The bound on the covariance of (x, y, heading, delay) at each of `input.times`, from the rounds that have arrived by
+// then, moved on from the middle of the last one. State: pose, delay, scale of the encoders. Throws
+// std::invalid_argument if rounds or times are not as BoundInput says.
 std::vector<Eigen::Matrix4d> live_bound(const BoundInput& input, const TruePath& path, const EncoderNoise& noise);
 
 // The same without encoders. State: pose, delay, speed, turn rate.

@@ -11,13 +11,13 @@ namespace markservo::experiments {
 
 // What ROBOT_POSE says.
 struct PoseEstimate {
-  double time = 0.0;                                       // s, when it held
-  Eigen::Vector2d p_WR = Eigen::Vector2d::Zero();          // m
-  double heading = 0.0;                                    // rad
+  double time = 0.0;                                         // s, when it held
+  Eigen::Vector2d p_WR = Eigen::Vector2d::Zero();            // m
+  double heading = 0.0;                                      // rad
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  // of (x, y, heading): m^2, m rad, rad^2
-  double speed = 0.0;                                      // m/s
-  double turn_rate = 0.0;                                  // rad/s
-  bool localised = false;                                  // its own claim
+  double speed = 0.0;                                        // m/s
+  double turn_rate = 0.0;                                    // rad/s
+  bool localised = false;                                    // its own claim
 };
 
 struct LiveScoreParameters {

@@ -75,7 +75,10 @@ class Trial {
  public:
   Trial(const LocalisationCase& the_case, const robot::RobotDescription& robot, const TrialFiles& files,
         std::int64_t seed)
-      : case_(the_case), robot_(robot), files_(files), seed_(static_cast<std::uint64_t>(seed)),
+      : case_(the_case),
+        robot_(robot),
+        files_(files),
+        seed_(static_cast<std::uint64_t>(seed)),
         field_(robot.floor_tags->field(the_case.rig.tag_field)),
         plan_(plan_course(the_case, field_, seed_)),
         name_(the_case.name + "-" + std::to_string(seed)) {
@@ -109,8 +112,7 @@ class Trial {
     result.delay_error = ours.messages.back().delay - delay_;
     result.delay_error_bound = std::sqrt(bound.back()(3, 3));
     if (case_.without_encoders) {
-      const LiveScore live =
-          score_live(localise(false).estimates, path, window.times, window.settled_from);
+      const LiveScore live = score_live(localise(false).estimates, path, window.times, window.settled_from);
       result.without_encoders = bounded(live, live_bound(input, path, FreeMotion{}), window);
     }
     const std::vector<PaperRead> reads = paper_reads(ours);
@@ -161,13 +163,20 @@ class Trial {
     const std::string log = base + ".log";
     std::filesystem::remove(out);
     write_log(drive_, with_odometry, in);
-    std::vector<std::string> command{sibling_executable("rfid-localizer"), "--robot-file", files_.robot_file,
-                                     "--tag-field", field_.name, "--lcm-in", "file://" + in + "?speed=0",
-                                     "--lcm-out", "file://" + out + "?mode=w"};
+    std::vector<std::string> command{sibling_executable("rfid-localizer"),
+                                     "--robot-file",
+                                     files_.robot_file,
+                                     "--tag-field",
+                                     field_.name,
+                                     "--lcm-in",
+                                     "file://" + in + "?speed=0",
+                                     "--lcm-out",
+                                     "file://" + out + "?mode=w"};
     const auto more = words(told_);
     command.insert(command.end(), more.begin(), more.end());
     const int code = ChildProcess(command, log).wait();
-    if (code != 0) throw std::runtime_error("rfid-localizer ended with exit code " + std::to_string(code) + ", see " + log);
+    if (code != 0)
+      throw std::runtime_error("rfid-localizer ended with exit code " + std::to_string(code) + ", see " + log);
     Localised result;
     result.messages = read_poses(out);
     if (result.messages.empty()) throw std::runtime_error(out + ": holds no ROBOT_POSE");
@@ -181,12 +190,11 @@ class Trial {
   BoundInput bound_input(const Window& window) const {
     BoundInput input;
     const auto& rfid = *robot_.rfid;
-    input.reader = {rfid.p_RF,       rfid.reading_radius, rfid.edge_softness,
-                    rfid.read_probability, rfid.round_time,     tags_};
+    input.reader = {rfid.p_RF, rfid.reading_radius, rfid.edge_softness, rfid.read_probability, rfid.round_time, tags_};
     bool read = false;
     for (const auto& round : drive_.rounds) {
       read = read || !round.hits.empty();
-      if (read) input.rounds.push_back({seconds(round.utime) - delay_, seconds(round.utime) - kSameTime});
+      if (read) input.rounds.push_back({seconds(round.utime) - delay_, seconds(round.utime)});
     }
     input.times = window.times;
     Eigen::Vector2d least = tags_.front();
