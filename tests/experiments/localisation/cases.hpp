@@ -25,7 +25,7 @@ struct CaseBars {
   std::optional<double> delay_error;      // s, mean absolute error of the delay at the end
   std::optional<double> paper_gain_axis;  // share of the measured error that compensation must take away, each axis
   bool nees = false;                      // 2 to 4.5
-  bool must_not_diverge = true;
+  bool must_not_diverge = false;
 };
 
 struct LocalisationCase {

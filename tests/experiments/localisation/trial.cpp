@@ -104,17 +104,16 @@ class Trial {
     const TruePath path(drive_.truth);
     const Window window = scored(path);
     TrialResult result;
+    result.seed = static_cast<std::int64_t>(seed_);
     const Localised ours = localise(true);
     const BoundInput input = bound_input(window);
     const EncoderNoise noise = encoder_noise();
     const auto bound = live_bound(input, path, noise);
-    result.with_encoders = bounded(score_live(ours.estimates, path, window.times, window.settled_from), bound, window);
+    result.with_encoders =
+        bounded(score_live(ours.estimates, path, window.times, window.settled_from), bound, path, window);
     result.delay_error = ours.messages.back().delay - delay_;
     result.delay_error_bound = std::sqrt(bound.back()(3, 3));
-    if (case_.without_encoders) {
-      const LiveScore live = score_live(localise(false).estimates, path, window.times, window.settled_from);
-      result.without_encoders = bounded(live, live_bound(input, path, FreeMotion{}), window);
-    }
+    if (case_.without_encoders) result.without_encoders = free_score(path, window);
     const std::vector<PaperRead> reads = paper_reads(ours);
     result.paper = score_paper(reads, path, robot_.rfid->p_RF, window.times.front(), window.times.back());
     if (files_.keep_logs) result.picture = picture(ours, reads, result.paper, window);
@@ -217,13 +216,32 @@ class Trial {
     return noise;
   }
 
-  static BoundedScore bounded(const LiveScore& live, const std::vector<Eigen::Matrix4d>& bound, const Window& window) {
+  FreeScore free_score(const TruePath& path, const Window& window) const {
+    const Localised ours = localise(false);
+    Window sent;
+    sent.settled_from = window.settled_from;
+    for (const PoseEstimate& pose : ours.estimates) {
+      const bool scored = pose.time >= window.times.front() && pose.time <= window.times.back();
+      if (scored) sent.times.push_back(pose.time);
+    }
+    const auto score = [&](const Window& samples) {
+      return bounded(score_live(ours.estimates, path, samples.times, samples.settled_from),
+                     live_bound(bound_input(samples), path, FreeMotion{}), path, samples);
+    };
+    return {score(window), score(sent)};
+  }
+
+  static BoundedScore bounded(const LiveScore& live, const std::vector<Eigen::Matrix4d>& bound, const TruePath& path,
+                              const Window& window) {
     BoundedScore score;
     score.live = live;
     for (std::size_t i = 0; i < bound.size(); ++i) {
       const double mean = mean_radial_error(bound[i].topLeftCorner<2, 2>());
       score.bound_all.push_back(mean);
-      if (window.times[i] >= window.settled_from - kSameTime) score.bound_settled.push_back(mean);
+      if (window.times[i] < window.settled_from - kSameTime) continue;
+      score.bound_settled.push_back(mean);
+      const bool driving = std::abs(path.at(window.times[i]).speed) >= LiveScoreParameters{}.driving_speed;
+      if (driving) score.bound_heading.push_back(std::sqrt(2.0 / M_PI * bound[i](2, 2)));
     }
     return score;
   }
