@@ -7,9 +7,9 @@ namespace markservo::rfid_localizer {
 // Three ways to move, switched between at any time (interacting multiple models; Blom and Bar-Shalom, IEEE Trans.
 // Autom. Control 33(8), 1988): standing, cruising with next to no acceleration, and manoeuvring.
 struct FreeMotionParameters {
-  double cruise = 0.03;        // m/s per sqrt(s), white acceleration
+  double cruise = 0.02;        // m/s per sqrt(s), white acceleration
   double manoeuvre = 0.5;      // m/s per sqrt(s): reaches 0.4 m/s in half a second
-  double setting_off = 0.25;   // per second, from standing or cruising to manoeuvring
+  double setting_off = 0.1;    // per second, from standing or cruising to manoeuvring
   double settling = 1.5;       // per second, from manoeuvring to each of the others
   double speed_sigma = 0.5;    // m/s, each axis, before any read: a robot's usual speeds
   double delay_walk = 0.0003;  // s per sqrt(s)
@@ -25,6 +25,7 @@ class FreeMotionModel final : public Motion {
   Mixture start(const Place& place, const DelayPrior& delay) const override;
   void predict(Mixture& mixture, std::int64_t from, std::int64_t to) const override;
   AntennaView antenna(const Hypothesis& hypothesis, std::int64_t middle, std::int64_t round) const override;
+  bool learns_delay() const override { return false; }
   void clean(Mixture& mixture) const override;
   PoseEstimate pose(const Mixture& mixture, std::int64_t utime) const override;
 

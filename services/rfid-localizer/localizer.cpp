@@ -225,13 +225,16 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
     one.weight *= std::max(found.evidence * unexplained, 1e-300);
     evidence += one.weight;
     // What is jointly Gaussian with the place follows it.
-    const Eigen::Matrix<double, 5, 2> K = one.covariance * H.transpose() * S.inverse();
+    const Eigen::Matrix<double, 5, 2> regression = one.covariance * H.transpose() * S.inverse();
+    Eigen::Matrix<double, 5, 2> K = regression;
+    if (!motion_->learns_delay()) K.row(kDelay).setZero();
     for (const PlacePart& part : found.parts) {
       Hypothesis next;
       next.mode = one.mode;
       next.weight = one.weight * part.share;
       next.mean = one.mean + K * (part.mean - view.p_WF);
-      next.covariance = one.covariance - K * (S - part.covariance) * K.transpose();
+      const Eigen::Matrix<double, 5, 5> cross = K * (S - part.covariance) * regression.transpose();
+      next.covariance = one.covariance - cross - cross.transpose() + K * (S - part.covariance) * K.transpose();
       next.covariance = 0.5 * (next.covariance + next.covariance.transpose()).eval();
       updated.push_back(next);
     }
