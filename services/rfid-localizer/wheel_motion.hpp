@@ -10,9 +10,9 @@ namespace markservo::rfid_localizer {
 
 struct WheelMotionParameters {
   WheelNoise noise;
-  double scale_sigma = 0.02;  // of the wheels' effective radius, before any read
-  int headings = 16;          // hypotheses of an unknown heading: 22.5 degrees apart an arc is still straight enough
-  double least_weight = 1e-4;
+  double scale_sigma = 0.02;    // of the wheels' effective radius, before any read
+  int headings = 16;            // hypotheses of an unknown heading: 22.5 degrees apart an arc is still straight enough
+  double least_weight = 1e-6;   // two silent rounds in a row over a tag (0.05 each) must not end the right one
   double merge_distance = 0.7;  // standard deviations: what such neighbours say together is still a Gaussian
 };
 
@@ -33,6 +33,7 @@ class WheelMotionModel final : public Motion {
   Mixture start(const Place& place, const DelayPrior& delay) const override;
   void predict(Mixture& mixture, std::int64_t from, std::int64_t to) const override;
   AntennaView antenna(const Hypothesis& hypothesis, std::int64_t middle, std::int64_t round) const override;
+  bool learns_delay() const override { return true; }
   void clean(Mixture& mixture) const override;
   PoseEstimate pose(const Mixture& mixture, std::int64_t utime) const override;
 
