@@ -17,6 +17,8 @@ struct WheelMotion {
 
 class WheelHistory {
  public:
+  static constexpr std::int64_t kKept_us = 3'000'000;  // longer than any reader's delay
+
   // Adds the motion since the last sample, which ended at `utime` (us, after the last). The first sample begins the
   // record; its motion is ignored.
   void add(std::int64_t utime, const WheelMotion& motion);
@@ -49,7 +51,6 @@ class WheelHistory {
   WheelMotion rate(std::int64_t from, std::int64_t to) const;
 
  private:
-  static constexpr std::int64_t kKept_us = 3'000'000;  // longer than any reader's delay
   static constexpr std::int64_t kExtrapolation_us = 200'000;
 
   struct Sample {
