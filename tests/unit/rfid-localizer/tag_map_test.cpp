@@ -81,5 +81,17 @@ TEST(TagMap, RefusesAnEmptyField) {
   EXPECT_THROW(TagMap(robot::TagField{"bare", {}}, 0.1), std::invalid_argument);
 }
 
+// A robot that does not know where it is asks so: the answer must not take as long as the cells are many.
+TEST(TagMap, FindsAllTagsWithinAnyRadiusAtOnce) {
+  const robot::TagField field = lattice(4, 3, 0.1);
+  const TagMap map(field, 0.1);
+  std::vector<int> tags;
+  for (const double radius : {10.0, 1e5, 1e12, std::numeric_limits<double>::infinity()}) {
+    map.near({0.0, 0.0}, radius, tags);
+    EXPECT_EQ(tags, brute_force(field, {0.0, 0.0}, radius)) << radius;
+    EXPECT_EQ(tags.size(), 12U) << radius;
+  }
+}
+
 }  // namespace
 }  // namespace markservo::rfid_localizer
