@@ -44,9 +44,13 @@ std::optional<WheelMotion> EncoderCounters::motion(const EncoderReading& reading
 
   const double wheel_speed = base_.speed_max + 0.5 * base_.track * base_.turn_rate_max;
   const double most = kSpeedMargin * wheel_speed * time + kPacket;
+  // After a gap so long the counters may have wrapped around unseen.
+  const double half_period = 0.5 * std::ldexp(base_.metres_per_tick(), base_.counter_bits);
+  const bool ambiguous = wheel_speed * time > half_period;
   const bool jumped = !restarted && std::max(std::abs(left), std::abs(right)) > most;
   if (jumped) ++jumps_;
-  if (restarted || jumped) return WheelMotion{0.0, 0.0, time, base_.speed_max * std::min(time, kLongestGap)};
+  if (restarted || jumped || ambiguous)
+    return WheelMotion{0.0, 0.0, time, base_.speed_max * std::min(time, kLongestGap)};
   return WheelMotion{0.5 * (left + right), (right - left) / base_.track, time, 0.0};
 }
 

@@ -149,5 +149,21 @@ TEST(EncoderCounters, WhatWasForgottenIsNoMotion) {
   EXPECT_FALSE(counters.motion({10, 5, 5000, 5000}));
 }
 
+// 65,536 ticks are 41 m: after a gap in which the wheels can have turned half as far, the ticks say nothing.
+TEST(EncoderCounters, AfterAGapLongEnoughToWrapAroundUnseenSayNothingButAnUnknownWay) {
+  const robot::BaseDescription base = base_of(16);
+  const double half = 0.5 * 65536.0 * base.metres_per_tick();
+  const auto gap = static_cast<std::int64_t>(1e6 * half / (1.2 + 0.5 * 0.3 * 3.0));
+  for (const auto& [time, known] : {std::pair(gap - 100'000, true), std::pair(gap + 100'000, false)}) {
+    EncoderCounters counters(base);
+    Driver driver(16);
+    counters.motion(driver.after(kPeriod, 0, 0));
+    const auto motion = counters.motion(driver.after(time, 1000, 1000));
+    ASSERT_TRUE(motion);
+    EXPECT_EQ(motion->way > 0.0, known);
+    EXPECT_EQ(motion->unknown_way > 0.0, !known);
+  }
+}
+
 }  // namespace
 }  // namespace markservo::rfid_localizer
