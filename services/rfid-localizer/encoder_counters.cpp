@@ -27,6 +27,9 @@ std::int64_t EncoderCounters::difference(std::int32_t newer, std::int32_t older)
 }
 
 std::optional<WheelMotion> EncoderCounters::motion(const EncoderReading& reading) {
+  if (base_.ticks_per_turn <= 0 || !(base_.wheel_radius > 0.0) || !(base_.track > 0.0)) {
+    throw std::invalid_argument("encoders of a robot whose base is not described; allowed: a robot.yaml with 'base'");
+  }
   if (!last_) {
     last_ = reading;
     return std::nullopt;

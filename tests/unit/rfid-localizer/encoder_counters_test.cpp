@@ -165,5 +165,15 @@ TEST(EncoderCounters, AfterAGapLongEnoughToWrapAroundUnseenSayNothingButAnUnknow
   }
 }
 
+TEST(EncoderCounters, OfARobotWithoutABaseAreRefused) {
+  EncoderCounters counters{robot::BaseDescription{}};
+  try {
+    counters.motion({1'000'000, 5, 100, 100});
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("base"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace markservo::rfid_localizer
