@@ -120,5 +120,18 @@ TEST(FreeMotion, GivesThePoseOfRWhereverTheAntennaIs) {
   EXPECT_NEAR(estimate.pose[1], 2.0 - 0.1, 1e-9);
 }
 
+TEST(FreeMotion, DoesNotKnowTheHeadingOfARobotThatStands) {
+  const FreeMotionModel model({0.1, 0.0}, {});
+  for (const double speed : {0.0, 1e-13, 1e-9, 1e-3}) {
+    Mixture mixture = model.start({{1.0, 2.0}, 1e-4 * Eigen::Matrix2d::Identity()}, {0.19, 0.005});
+    for (Hypothesis& one : mixture) one.mean[kVelocityX] = speed;
+    const PoseEstimate estimate = model.pose(mixture, 0);
+    EXPECT_GT(std::sqrt(estimate.covariance(2, 2)), 1.5) << speed << " m/s";
+    EXPECT_GT(std::sqrt(estimate.covariance(0, 0) + estimate.covariance(1, 1)), 0.1)
+        << "where R is about the antenna is open as well, at " << speed << " m/s";
+    EXPECT_GT(estimate.covariance.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0.0) << speed;
+  }
+}
+
 }  // namespace
 }  // namespace markservo::rfid_localizer
