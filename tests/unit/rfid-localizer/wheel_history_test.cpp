@@ -119,5 +119,16 @@ TEST(WheelHistory, TellsRatesAsAverages) {
   EXPECT_NEAR(rate.turn, 0.5 * (piece_number(5).turn + piece_number(6).turn) / 0.02, 1e-12);
 }
 
+TEST(WheelHistory, AnUnknownWayIsAsUncertainInPartsAsWhole) {
+  WheelHistory history;
+  history.add(kEpoch, {});
+  history.add(kEpoch + 400'000, {0.0, 0.0, 0.4, 0.5});
+  history.add(kEpoch + 420'000, {0.0, 0.0, 0.02, 0.0});
+  EXPECT_NEAR(sum(history, kEpoch, kEpoch + 400'000).unknown_way, 0.5, 1e-12);
+  const double first = sum(history, kEpoch, kEpoch + 100'000).unknown_way;
+  const double rest = sum(history, kEpoch + 100'000, kEpoch + 410'000).unknown_way;
+  EXPECT_NEAR(std::hypot(first, rest), 0.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace markservo::rfid_localizer
