@@ -118,5 +118,17 @@ TEST(WheelPrediction, AStandingRobotsCovarianceGrowsByCreepOnly) {
   EXPECT_EQ(one.covariance(kHeading, kHeading), 0.0);
 }
 
+// A record with a gap has long pieces: on a circle of radius 0.5 m each of them still ends on the circle.
+TEST(WheelPrediction, StaysOnACircleHoweverLongThePieces) {
+  for (const int pieces : {3, 10, 1000}) {
+    Hypothesis one = at(0.0, 0.0, 0.0);
+    const double turn = M_PI / pieces;
+    for (int i = 0; i < pieces; ++i) advance(one, {0.5 * turn, turn, 0.02, 0.0}, no_noise());
+    EXPECT_NEAR(one.mean[kX], 0.0, 1e-9) << pieces;
+    EXPECT_NEAR(one.mean[kY], 1.0, 1e-9) << pieces;
+    EXPECT_NEAR(one.mean[kHeading], M_PI, 1e-9) << pieces;
+  }
+}
+
 }  // namespace
 }  // namespace markservo::rfid_localizer
