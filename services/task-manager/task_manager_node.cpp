@@ -190,8 +190,9 @@ void TaskManagerNode::send(const Goal& goal, const ServoStatus& status) {
 }
 
 void TaskManagerNode::send(const DriveGoal& goal, const ServoStatus& status) {
-  BaseGoal message;
+  BaseGoal message{};
   message.utime = status.frame_utime;
+  message.session = base_goals_->session();
   message.goal_id = goal.id;
   message.kind = goal.drive ? BaseGoal::DRIVE : BaseGoal::HOLD;
   message.frame = goal.from_robot ? BaseGoal::ROBOT : BaseGoal::WORLD;
