@@ -2,6 +2,7 @@
 
 // Seeded random bits that are the same on every machine and compiler, and quick enough for every pixel.
 
+#include <cmath>
 #include <cstdint>
 
 namespace markservo::simulator {
@@ -34,6 +35,13 @@ class RandomBits {
 
   // [-1, 1)
   double symmetric() { return 2.0 * uniform() - 1.0; }
+
+  // Mean 0, standard deviation 1 (Box and Muller 1958).
+  double gaussian() {
+    constexpr double kTwoPi = 6.283185307179586;
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+    return radius * std::cos(kTwoPi * uniform());
+  }
 
  private:
   std::uint64_t state_;
