@@ -37,6 +37,9 @@ DriveReport watch_drive(std::int64_t goal_id, const Input& input, const DrivePar
   if (answer != nullptr && seconds_between(answer->utime, input.utime) > parameters.silent_timeout) answer = nullptr;
   const BaseState state = answer != nullptr ? answer->state : BaseState::kStale;
   if (state == BaseState::kArrived) return {DriveState::kArrived, ""};
+  if (state == BaseState::kHold && !answer->reason.empty()) {
+    return {DriveState::kFailed, "base-navigator refuses the goal: " + answer->reason};
+  }
 
   const bool stuck = state == BaseState::kBlocked || state == BaseState::kLost;
   if (state == BaseState::kDriving || stuck) progress.answered = input.utime;

@@ -181,6 +181,12 @@ TEST(Drive, FailsWhenTheBaseStaysLost) {
   EXPECT_NEAR(seconds, 20.0, 0.2);
 }
 
+TEST(Drive, FailsAtOnceWhenTheNavigatorRefusesTheGoal) {
+  const auto [reason, seconds] = failure_of(BaseState::kHold);
+  EXPECT_EQ(reason, "base-navigator refuses the goal: why");
+  EXPECT_LT(seconds, 0.2);
+}
+
 TEST(Drive, FailsWhenTheNavigatorsInputStaysStale) {
   const auto [reason, seconds] = failure_of(BaseState::kStale);
   EXPECT_EQ(reason, "the base holds for want of fresh input: why");
