@@ -68,7 +68,7 @@ void SimulatorNode::add_options(CLI::App& app) {
 void SimulatorNode::configure(const std::string& robot_file) {
   robot_ = robot::load_robot_description(robot_file);
   scene_ = load_scene(scene_file_, robot_);
-  settings_ = default_settings(robot_, lockstep_);
+  settings_ = default_settings(robot_, scene_, lockstep_);
   for (const std::string& assignment : assignments_) set_from_text(settings_, assignment);
   check_against_robot(settings_, robot_);
   if (list_settings_) return;
