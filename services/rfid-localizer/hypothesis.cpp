@@ -1,0 +1,83 @@
+#include "services/rfid-localizer/hypothesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace markservo::rfid_localizer {
+namespace {
+
+StateVector difference(const StateVector& a, const StateVector& b, int angle) {
+  StateVector d = a - b;
+  if (angle >= 0) d[angle] = unwrapped(d[angle], 0.0);
+  return d;
+}
+
+bool close(const Hypothesis& a, const Hypothesis& b, double distance, int angle) {
+  const StateVector d = difference(a.mean, b.mean, angle);
+  for (int i = 0; i < d.size(); ++i) {
+    const double variance = std::min(a.covariance(i, i), b.covariance(i, i));
+    if (d[i] * d[i] > distance * distance * variance) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+double unwrapped(double angle, double near) {
+  return near + std::remainder(angle - near, 2.0 * M_PI);
+}
+
+Hypothesis moments(const Mixture& mixture, int angle) {
+  const auto heaviest = std::max_element(mixture.begin(), mixture.end(),
+                                         [](const Hypothesis& a, const Hypothesis& b) { return a.weight < b.weight; });
+  // An angle's mean is that of its direction on the circle; its offsets are told from there.
+  StateVector centre = heaviest->mean;
+  double sum = 0.0;
+  double sine = 0.0;
+  double cosine = 0.0;
+  for (const Hypothesis& one : mixture) {
+    sum += one.weight;
+    if (angle < 0) continue;
+    sine += one.weight * std::sin(one.mean[angle]);
+    cosine += one.weight * std::cos(one.mean[angle]);
+  }
+  constexpr double kNoDirection = 1e-6;
+  if (angle >= 0 && std::hypot(sine, cosine) > kNoDirection * sum) centre[angle] = std::atan2(sine, cosine);
+
+  Hypothesis result;
+  StateVector offset = StateVector::Zero();
+  for (const Hypothesis& one : mixture) offset += one.weight / sum * difference(one.mean, centre, angle);
+  result.mean = centre + offset;
+  for (const Hypothesis& one : mixture) {
+    const StateVector d = difference(one.mean, result.mean, angle);
+    result.covariance += one.weight / sum * (one.covariance + d * d.transpose());
+  }
+  result.weight = sum;
+  if (angle >= 0) result.mean[angle] = unwrapped(result.mean[angle], 0.0);
+  return result;
+}
+
+void tidy(Mixture& mixture, double least, double distance, int angle) {
+  double sum = 0.0;
+  for (const Hypothesis& one : mixture) sum += one.weight;
+  for (Hypothesis& one : mixture) one.weight /= sum;
+  std::sort(mixture.begin(), mixture.end(),
+            [](const Hypothesis& a, const Hypothesis& b) { return a.weight > b.weight; });
+  while (mixture.size() > 1 && mixture.back().weight < least) mixture.pop_back();
+
+  for (std::size_t i = 0; i < mixture.size(); ++i) {
+    for (std::size_t j = i + 1; j < mixture.size();) {
+      if (close(mixture[i], mixture[j], distance, angle)) {
+        mixture[i] = moments({mixture[i], mixture[j]}, angle);
+        mixture.erase(mixture.begin() + static_cast<std::ptrdiff_t>(j));
+      } else {
+        ++j;
+      }
+    }
+  }
+  sum = 0.0;
+  for (const Hypothesis& one : mixture) sum += one.weight;
+  for (Hypothesis& one : mixture) one.weight /= sum;
+}
+
+}  // namespace markservo::rfid_localizer

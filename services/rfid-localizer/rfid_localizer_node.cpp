@@ -1,0 +1,110 @@
+#include "services/rfid-localizer/rfid_localizer_node.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <markservo/RfidTagHits.hpp>
+#include <markservo/WheelOdometry.hpp>
+#include <stdexcept>
+
+#include "common/robot/configuration_error.hpp"
+#include "services/rfid-localizer/localizer_messages.hpp"
+
+namespace markservo::rfid_localizer {
+namespace {
+
+constexpr double kRadiansPerDegree = M_PI / 180.0;
+
+const char* name_of(std::int8_t state) {
+  if (state == RobotPose::LOCALISED) return "localised";
+  return state == RobotPose::LOST ? "lost" : "searching";
+}
+
+}  // namespace
+
+void RfidLocalizerNode::add_options(CLI::App& app) {
+  const auto number = [&app](const char* name, double& value, const char* what, double min, double max) {
+    app.add_option(name, value, what)->check(CLI::Range(min, max))->capture_default_str();
+  };
+  app.add_option("--method", method_,
+                 "Whose pose ROBOT_POSE carries: filter, or paper: weighted average, Hough direction, compensated "
+                 "delay. Its paper part carries the paper's values either way")
+      ->check(CLI::IsMember({"filter", "paper"}))
+      ->capture_default_str();
+  app.add_option("--tag-field", field_, "Field of floor tags in robot.yaml; default: its floor_tags.in_use");
+  app.add_option("--delay", delay_, "From the middle of a reader's round to its arrival, s; default: robot.yaml's")
+      ->check(CLI::Range(0.0, 5.0));
+  app.add_option("--delay-sigma", delay_sigma_,
+                 "How well that is known, s; default: robot.yaml's. The filter improves on it when the speed changes")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--start-heading", start_heading_deg_, "The robot's heading at the start, deg; default: not known")
+      ->check(CLI::Range(-360.0, 360.0));
+  number("--start-heading-sigma", start_heading_sigma_deg_, "How well that is known, deg", 0.1, 60.0);
+  number("--scale-sigma", parameters_.wheels.scale_sigma, "Of the wheels' effective radius, share", 0.0, 0.3);
+  number("--drift", parameters_.wheels.noise.drift, "Of the wheels' heading, rad per sqrt(m)", 0.0, 1.0);
+  number("--lost-sigma", parameters_.trust.largest_sigma, "Position less well known counts as lost, m", 0.01, 10.0);
+  number("--silence", parameters_.trust.silence, "Lost without any round of the reader for so long, s", 0.2, 60.0);
+}
+
+void RfidLocalizerNode::configure(const std::string& robot_file) {
+  const robot::RobotDescription robot = robot::load_robot_description(robot_file);
+  if (!robot.rfid) throw ConfigurationError(robot_file + ": section 'rfid' is missing; allowed: a robot with a reader");
+  if (!robot.floor_tags) {
+    throw ConfigurationError(robot_file + ": section 'floor_tags' is missing; allowed: a map of tags");
+  }
+  parameters_.delay = {delay_.value_or(robot.rfid->delay), delay_sigma_.value_or(robot.rfid->delay_sigma)};
+  parameters_.survey_sigma = robot.floor_tags->survey_sigma;
+  parameters_.reliability.read_probability = robot.rfid->read_probability;
+  parameters_.paper.delay = parameters_.delay.mean;
+  if (start_heading_deg_) {
+    parameters_.start_heading =
+        HeadingPrior{*start_heading_deg_ * kRadiansPerDegree, start_heading_sigma_deg_ * kRadiansPerDegree};
+  }
+  const robot::BaseDescription base = robot.base.value_or(robot::BaseDescription{});
+  if (robot.base) parameters_.wheels.noise.track = base.track;
+  localizer_ = std::make_unique<Localizer>(base, *robot.rfid, robot.floor_tags->field(field_), parameters_);
+}
+
+void RfidLocalizerNode::start(bus::Bus& bus) {
+  bus_ = &bus;
+  poses_.emplace(bus.advertise<RobotPose>("ROBOT_POSE"));
+  bus.on_each<RfidTagHits>("RFID_TAG_HITS", [this](const RfidTagHits& message) {
+    localizer_->observe(tag_round(message));
+    if (!localizer_->has_wheels()) publish(message.utime, 0, 0);
+  });
+  bus.on_each<WheelOdometry>("WHEEL_ODOMETRY", [this](const WheelOdometry& message) {
+    localizer_->observe(encoder_reading(message));
+    publish(message.utime, message.session, message.seq);
+  });
+}
+
+void RfidLocalizerNode::publish(std::int64_t utime, std::int64_t odometry_session, std::int64_t odometry_seq) {
+  RobotPose pose = pose_message(localizer_->estimate(utime), utime, method_ == "paper");
+  pose.odometry_session = odometry_session;
+  pose.odometry_seq = odometry_seq;
+  poses_->publish(pose);
+  tell(pose);
+}
+
+void RfidLocalizerNode::tell(const RobotPose& pose) {
+  const LocalizerFaults& faults = localizer_->faults();
+  std::string what = pose.reason;
+  const auto add = [&what](std::int64_t count, const char* name) {
+    if (count > 0) what += (what.empty() ? "" : "; ") + std::to_string(count) + " " + name;
+  };
+  add(faults.unknown_tags, "reads of tags that the map does not have");
+  add(faults.far_tags, "reads of tags out of reach");
+  add(faults.repeated_reads, "tags read twice in a round");
+  add(faults.late_rounds, "rounds out of order");
+  add(faults.late_odometry, "odometry out of order");
+  add(faults.tick_jumps, "jumps of the encoders");
+  const bool changed = told_ != name_of(pose.state);
+  // Counts that grow with every round would be a stream of their own.
+  if (!changed && !tell_timer_.due(pose.utime)) return;
+  bus_->set_state(name_of(pose.state), what);
+  if (!changed) return;
+  told_ = name_of(pose.state);
+  spdlog::info("{}{}{}", told_, pose.reason.empty() ? "" : ": ", pose.reason);
+}
+
+}  // namespace markservo::rfid_localizer

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <markservo/RobotPose.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "common/bus/repeat_timer.hpp"
+#include "common/bus/service.hpp"
+#include "services/rfid-localizer/localizer.hpp"
+
+namespace markservo::rfid_localizer {
+
+// RFID_TAG_HITS and WHEEL_ODOMETRY in, ROBOT_POSE out: one per WHEEL_ODOMETRY, or, while there is none, one per
+// RFID_TAG_HITS.
+class RfidLocalizerNode : public bus::Service {
+ public:
+  void add_options(CLI::App& app) override;
+  void configure(const std::string& robot_file) override;
+  void start(bus::Bus& bus) override;
+
+ private:
+  void publish(std::int64_t utime, std::int64_t odometry_session, std::int64_t odometry_seq);
+  void tell(const RobotPose& pose);
+
+  std::string method_ = "filter";
+  std::string field_;
+  std::optional<double> delay_, delay_sigma_;
+  std::optional<double> start_heading_deg_;
+  double start_heading_sigma_deg_ = 5.0;
+  LocalizerParameters parameters_;
+  std::unique_ptr<Localizer> localizer_;
+  bus::Bus* bus_ = nullptr;
+  std::optional<bus::Publisher<RobotPose>> poses_;
+  std::string told_;
+  bus::RepeatTimer tell_timer_{1'000'000};
+};
+
+}  // namespace markservo::rfid_localizer

@@ -1,0 +1,44 @@
+#include "services/rfid-localizer/wheel_prediction.hpp"
+
+#include <cmath>
+
+namespace markservo::rfid_localizer {
+
+void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise& noise) {
+  StateVector& x = hypothesis.mean;
+  const double way = motion.way * (1.0 + x[kScale]);
+  const double middle = x[kHeading] + 0.5 * motion.turn;
+  const double c = std::cos(middle);
+  const double s = std::sin(middle);
+
+  StateCovariance F = StateCovariance::Identity();
+  F(kX, kHeading) = -way * s;
+  F(kY, kHeading) = way * c;
+  F(kX, kScale) = motion.way * c;
+  F(kY, kScale) = motion.way * s;
+
+  x[kX] += way * c;
+  x[kY] += way * s;
+  x[kHeading] += motion.turn;
+
+  StateCovariance& P = hypothesis.covariance;
+  P = F * P * F.transpose();
+  const double length = std::abs(motion.way);
+  const double heading_variance =
+      noise.drift * noise.drift * length + noise.turn_error * noise.turn_error * std::abs(motion.turn);
+  // Independent wheels that let the heading drift so much let the way vary by this.
+  const double way_variance = 0.25 * noise.track * noise.track * noise.drift * noise.drift * length;
+  const double creep_variance = noise.creep * noise.creep * motion.time + motion.unknown_way * motion.unknown_way;
+  P(kHeading, kHeading) += heading_variance;
+  P(kX, kX) += way_variance * c * c + creep_variance;
+  P(kX, kY) += way_variance * c * s;
+  P(kY, kX) += way_variance * c * s;
+  P(kY, kY) += way_variance * s * s + creep_variance;
+  P(kScale, kScale) += noise.scale_walk * noise.scale_walk * length;
+  P(kDelay, kDelay) += noise.delay_walk * noise.delay_walk * motion.time;
+  // Where the robot went unseen it may have turned as well.
+  if (motion.unknown_way > 0.0)
+    P(kHeading, kHeading) += motion.unknown_way * motion.unknown_way / (noise.track * noise.track);
+}
+
+}  // namespace markservo::rfid_localizer

@@ -1,0 +1,23 @@
+#pragma once
+
+// Moves a hypothesis on by what the wheels said.
+
+#include "services/rfid-localizer/hypothesis.hpp"
+#include "services/rfid-localizer/wheel_history.hpp"
+
+namespace markservo::rfid_localizer {
+
+// How far wheels may be believed.
+struct WheelNoise {
+  double drift = 0.035;        // rad per sqrt(m): 2 degrees, of a plain base on a plain floor
+  double turn_error = 0.03;    // rad per sqrt(rad) of turning: track and tyres
+  double scale_walk = 0.005;   // per sqrt(m): load and floor change the wheels' effective radius
+  double creep = 0.0003;       // m per sqrt(s): what no encoder sees
+  double delay_walk = 0.0003;  // s per sqrt(s)
+  double track = 0.32;         // m
+};
+
+// One piece of the way. Mean on an arc; covariance by the arc's Jacobian.
+void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise& noise);
+
+}  // namespace markservo::rfid_localizer
