@@ -40,10 +40,12 @@ class TaskManagerOnABus : public ::testing::Test {
   void tell_stop(bool latched) {
     StopState stop{};
     stop.utime = utime_;
-    stop.device = "arm";
     stop.latched = latched ? 1 : 0;
     stop.reason = "test";
-    stops_.publish(stop);
+    for (const char* device : {"arm", "base"}) {
+      stop.device = device;
+      stops_.publish(stop);
+    }
   }
 
   void tell_joints(int num_joints = 3) {
@@ -173,7 +175,7 @@ TEST_F(TaskManagerOnABus, AStopDeviceThatFallsSilentStopsTheTask) {
   EXPECT_EQ(states_.back().state, TaskState::APPROACH);
   for (int i = 0; i < 4; ++i) frame();
   EXPECT_EQ(states_.back().state, TaskState::STOPPED);
-  EXPECT_EQ(states_.back().reason, "a stop device is silent: no STOP_STATE of arm");
+  EXPECT_EQ(states_.back().reason, "a stop device is silent: no STOP_STATE of arm, base");
 }
 
 TEST_F(TaskManagerOnABus, AStopThatIsResetBeforeTheNextStatusIsNotMissed) {
@@ -195,7 +197,7 @@ TEST_F(TaskManagerOnABus, ALatchedDeviceRefuses) {
   frame();
   EXPECT_EQ(states_.back().state, TaskState::REFUSED);
   EXPECT_EQ(states_.back().result, TaskState::RESULT_REFUSED);
-  EXPECT_EQ(states_.back().reason, "stop is latched: reset it first (arm: test)");
+  EXPECT_EQ(states_.back().reason, "stop is latched: reset it first (arm: test; base: test)");
 }
 
 TEST_F(TaskManagerOnABus, PassesOnWhereTheCallerBelievesTheTarget) {

@@ -71,9 +71,11 @@ class OperatorOnABus : public ::testing::Test {
   void speak() {
     utime_ += 20'000;
     stop_.utime = task_.utime = task_.frame_utime = utime_;
-    stop_.device = "arm";
     stop_.latched = latched_ ? 1 : 0;
-    stop_states_.publish(stop_);
+    for (const char* device : {"arm", "base"}) {
+      stop_.device = device;
+      stop_states_.publish(stop_);
+    }
     if (task_.command_session != 0 && !procedure_.empty()) {
       task_.state = procedure_.front();
       if (procedure_.size() > 1) procedure_.erase(procedure_.begin());
