@@ -22,6 +22,7 @@ class TaskManagerOnABus : public ::testing::Test {
     node_.start(bus_);
     bus_.on_each<TaskState>("TASK_STATE", [this](const TaskState& state) { states_.push_back(state); });
     bus_.on_each<ServoGoal>("SERVO_GOAL", [this](const ServoGoal& goal) { goals_.push_back(goal); });
+    bus_.on_each<BaseGoal>("BASE_GOAL", [this](const BaseGoal& goal) { base_goals_.push_back(goal); });
   }
 
   static bus::BusParameters in_process() {
@@ -39,10 +40,12 @@ class TaskManagerOnABus : public ::testing::Test {
   void tell_stop(bool latched) {
     StopState stop{};
     stop.utime = utime_;
-    stop.device = "arm";
     stop.latched = latched ? 1 : 0;
     stop.reason = "test";
-    stops_.publish(stop);
+    for (const char* device : {"arm", "base"}) {
+      stop.device = device;
+      stops_.publish(stop);
+    }
   }
 
   void tell_joints(int num_joints = 3) {
@@ -64,6 +67,31 @@ class TaskManagerOnABus : public ::testing::Test {
     command.kind = TaskCommand::START;
     command.target = target;
     commands_.publish(command);
+  }
+
+  void start_drive() {
+    TaskCommand command{};
+    command.utime = utime_;
+    command.session = 99;
+    command.command_id = 1;
+    command.kind = TaskCommand::START;
+    command.target = "red_book";
+    command.drive = 1;
+    command.drive_pose.x = 0.2;
+    command.drive_pose.y = 1.05;
+    command.drive_pose.heading = 1.5;
+    commands_.publish(command);
+  }
+
+  // base-navigator's word on the newest goal.
+  void tell_base(int8_t state, int64_t session) {
+    BaseStatus status{};
+    status.utime = utime_;
+    status.goal_session = session;
+    status.goal_id = base_goals_.back().goal_id;
+    status.state = state;
+    status.reason = "test";
+    base_statuses_.publish(status);
   }
 
   // The target located at `y`, and visual-servo's word on this frame.
@@ -97,8 +125,10 @@ class TaskManagerOnABus : public ::testing::Test {
   bus::Publisher<JointState> joints_ = bus_.advertise<JointState>("JOINT_STATE");
   bus::Publisher<TargetPose> poses_ = bus_.advertise<TargetPose>("TARGET_POSE");
   bus::Publisher<ServoStatus> statuses_ = bus_.advertise<ServoStatus>("SERVO_STATUS");
+  bus::Publisher<BaseStatus> base_statuses_ = bus_.advertise<BaseStatus>("BASE_STATUS");
   std::vector<TaskState> states_;
   std::vector<ServoGoal> goals_;
+  std::vector<BaseGoal> base_goals_;
   int64_t utime_ = 1'000'000'000;
   int64_t frame_seq_ = 0;
 };
@@ -145,7 +175,7 @@ TEST_F(TaskManagerOnABus, AStopDeviceThatFallsSilentStopsTheTask) {
   EXPECT_EQ(states_.back().state, TaskState::APPROACH);
   for (int i = 0; i < 4; ++i) frame();
   EXPECT_EQ(states_.back().state, TaskState::STOPPED);
-  EXPECT_EQ(states_.back().reason, "a stop device is silent: no STOP_STATE of arm");
+  EXPECT_EQ(states_.back().reason, "a stop device is silent: no STOP_STATE of arm, base");
 }
 
 TEST_F(TaskManagerOnABus, AStopThatIsResetBeforeTheNextStatusIsNotMissed) {
@@ -167,7 +197,7 @@ TEST_F(TaskManagerOnABus, ALatchedDeviceRefuses) {
   frame();
   EXPECT_EQ(states_.back().state, TaskState::REFUSED);
   EXPECT_EQ(states_.back().result, TaskState::RESULT_REFUSED);
-  EXPECT_EQ(states_.back().reason, "stop is latched: reset it first (arm: test)");
+  EXPECT_EQ(states_.back().reason, "stop is latched: reset it first (arm: test; base: test)");
 }
 
 TEST_F(TaskManagerOnABus, PassesOnWhereTheCallerBelievesTheTarget) {
@@ -184,6 +214,48 @@ TEST_F(TaskManagerOnABus, PassesOnWhereTheCallerBelievesTheTarget) {
   for (int i = 0; i < 40; ++i) frame();
   EXPECT_EQ(states_.back().state, TaskState::REFUSED);
   EXPECT_EQ(states_.back().reason, "unreachable: beyond the arm's reach");
+}
+
+TEST_F(TaskManagerOnABus, HoldsTheBaseFromItsFirstStepOnFiveTimesASecond) {
+  for (int i = 0; i < 30; ++i) frame();
+  EXPECT_NEAR(static_cast<double>(base_goals_.size()), 5.0, 1.0);
+  EXPECT_EQ(base_goals_.front().kind, BaseGoal::HOLD);
+  EXPECT_EQ(base_goals_.front().session, bus_.session());
+  EXPECT_EQ(base_goals_.back().goal_id, base_goals_.front().goal_id);
+  EXPECT_EQ(base_goals_.back().utime % kFrame_us, utime_ % kFrame_us);
+}
+
+TEST_F(TaskManagerOnABus, ADriveGoesToTheCommandedPoseAndIsWatched) {
+  tell_joints();
+  tell_stop(false);
+  start_drive();
+  frame();
+  frame();
+  EXPECT_EQ(states_.back().state, TaskState::DRIVE);
+  ASSERT_EQ(base_goals_.back().kind, BaseGoal::DRIVE);
+  EXPECT_EQ(base_goals_.back().frame, BaseGoal::WORLD);
+  EXPECT_EQ(base_goals_.back().pose.x, 0.2);
+  EXPECT_EQ(base_goals_.back().pose.y, 1.05);
+  EXPECT_EQ(base_goals_.back().pose.heading, 1.5);
+  EXPECT_GT(base_goals_.back().clearance, 0.0);
+  EXPECT_GT(base_goals_.back().speed, 0.0);
+  tell_base(BaseStatus::ARRIVED, bus_.session());
+  for (int i = 0; i < 17; ++i) {
+    frame();
+    if (i % 6 == 0) tell_stop(false);
+  }
+  EXPECT_EQ(states_.back().state, TaskState::LOOK);
+  EXPECT_EQ(base_goals_.back().kind, BaseGoal::HOLD);
+}
+
+TEST_F(TaskManagerOnABus, AnArrivalAtAnotherOnesGoalIsNone) {
+  tell_joints();
+  tell_stop(false);
+  start_drive();
+  frame();
+  tell_base(BaseStatus::ARRIVED, bus_.session() + 1);
+  for (int i = 0; i < 10; ++i) frame();
+  EXPECT_EQ(base_goals_.back().kind, BaseGoal::DRIVE);
 }
 
 TEST_F(TaskManagerOnABus, IgnoresWhatCannotBe) {
