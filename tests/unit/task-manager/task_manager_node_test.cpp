@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <markservo/ServiceStatus.hpp>
 #include <vector>
 
@@ -37,10 +38,10 @@ class TaskManagerOnABus : public ::testing::Test {
     for (int i = 0; i < 6; ++i) bus_.poll(std::chrono::milliseconds(0));
   }
 
-  void tell_stop(bool latched) {
+  void tell_stop(bool latched, const std::string& device = "arm") {
     StopState stop{};
     stop.utime = utime_;
-    stop.device = "arm";
+    stop.device = device;
     stop.latched = latched ? 1 : 0;
     stop.reason = "test";
     stops_.publish(stop);
@@ -96,6 +97,7 @@ class TaskManagerOnABus : public ::testing::Test {
   void frame(double y = 0.25, int8_t servo_state = ServoStatus::HOLD) {
     utime_ += kFrame_us;
     ++frame_seq_;
+    for (const std::string& device : others_) tell_stop(false, device);
     TargetPose pose{};
     pose.utime = pose.frame_utime = utime_;
     LocatedMark mark{};
@@ -115,6 +117,13 @@ class TaskManagerOnABus : public ::testing::Test {
     settle();
   }
 
+  static std::vector<std::string> stop_devices_but_the_arm() {
+    auto devices = robot::load_robot_description(MARKSERVO_SOURCE_DIR "/config/robot.yaml").stop_devices;
+    devices.erase(std::remove(devices.begin(), devices.end(), "arm"), devices.end());
+    return devices;
+  }
+
+  const std::vector<std::string> others_ = stop_devices_but_the_arm();  // they always speak
   TaskManagerNode node_;
   CLI::App app_;
   bus::Bus bus_{in_process()};
