@@ -7,16 +7,47 @@
 namespace markservo::rfid_localizer {
 namespace {
 
-// What the two modes believe after either may have become the other within `time` (s).
-void switch_modes(Mixture& mixture, double rate, double time) {
-  const double stay = 0.5 * (1.0 + std::exp(-2.0 * rate * time));
-  Mixture mixed(2);
-  for (std::size_t to = 0; to < 2; ++to) {
-    Mixture parts = mixture;
-    for (std::size_t from = 0; from < 2; ++from) parts[from].weight *= from == to ? stay : 1.0 - stay;
-    mixed[to] = moments(parts, -1);
+constexpr int kStanding = 0;
+constexpr int kCruising = 1;
+constexpr int kManoeuvring = 2;
+constexpr int kModes = 3;
+
+// A standing robot's velocity, m/s: so little that its place stays.
+constexpr double kStill = 1e-3;
+
+void stand(Hypothesis& one) {
+  one.mean.segment<2>(kVelocityX).setZero();
+  for (const int i : {kVelocityX, kVelocityY}) {
+    one.covariance.row(i).setZero();
+    one.covariance.col(i).setZero();
+    one.covariance(i, i) = kStill * kStill;
   }
-  mixture = std::move(mixed);
+}
+
+// Probabilities to be in mode [to] after having been in mode [from] `time` (s) before.
+Eigen::Matrix3d transitions(const FreeMotionParameters& parameters, double time) {
+  const double off = 1.0 - std::exp(-parameters.setting_off * time);
+  const double settled = 0.5 * (1.0 - std::exp(-2.0 * parameters.settling * time));
+  Eigen::Matrix3d to_from = Eigen::Matrix3d::Zero();
+  to_from(kStanding, kStanding) = to_from(kCruising, kCruising) = 1.0 - off;
+  to_from(kManoeuvring, kStanding) = to_from(kManoeuvring, kCruising) = off;
+  to_from(kStanding, kManoeuvring) = to_from(kCruising, kManoeuvring) = settled;
+  to_from(kManoeuvring, kManoeuvring) = 1.0 - 2.0 * settled;
+  return to_from;
+}
+
+// What each mode believes after any may have become it.
+Mixture switched(const Mixture& mixture, const Eigen::Matrix3d& to_from) {
+  Mixture result;
+  for (int to = 0; to < kModes; ++to) {
+    Mixture parts = mixture;
+    for (Hypothesis& part : parts) part.weight *= to_from(to, part.mode);
+    Hypothesis one = moments(parts, -1);
+    one.mode = to;
+    if (to == kStanding) stand(one);
+    result.push_back(one);
+  }
+  return result;
 }
 
 }  // namespace
@@ -26,28 +57,31 @@ FreeMotionModel::FreeMotionModel(const Eigen::Vector2d& p_RF, const FreeMotionPa
 
 Mixture FreeMotionModel::start(const Place& place, const DelayPrior& delay) const {
   Hypothesis one;
-  one.weight = 0.5;
+  one.weight = 1.0 / kModes;
   one.mean.head<2>() = place.mean;
   one.mean[kDelay] = delay.mean;
   one.covariance.topLeftCorner<2, 2>() = place.covariance;
   const double speed_variance = parameters_.speed_sigma * parameters_.speed_sigma;
   one.covariance(kVelocityX, kVelocityX) = one.covariance(kVelocityY, kVelocityY) = speed_variance;
   one.covariance(kDelay, kDelay) = delay.sigma * delay.sigma;
-  return {one, one};
+  Mixture mixture(kModes, one);
+  for (int mode = 0; mode < kModes; ++mode) mixture[static_cast<std::size_t>(mode)].mode = mode;
+  stand(mixture[kStanding]);
+  return mixture;
 }
 
 void FreeMotionModel::predict(Mixture& mixture, std::int64_t from, std::int64_t to) const {
   if (to <= from) return;
   const double t = 1e-6 * static_cast<double>(to - from);
-  switch_modes(mixture, parameters_.switch_rate, t);
+  mixture = switched(mixture, transitions(parameters_, t));
   StateCovariance F = StateCovariance::Identity();
   F(kX, kVelocityX) = F(kY, kVelocityY) = t;
-  const std::array<double, 2> strengths = {parameters_.cruise, parameters_.manoeuvre};
-  for (std::size_t mode = 0; mode < 2; ++mode) {
-    Hypothesis& one = mixture[mode];
+  const std::array<double, kModes> strengths = {0.0, parameters_.cruise, parameters_.manoeuvre};
+  for (Hypothesis& one : mixture) {
     one.mean = F * one.mean;
     one.covariance = F * one.covariance * F.transpose();
-    const double q = strengths[mode] * strengths[mode];
+    const double strength = strengths[static_cast<std::size_t>(one.mode)];
+    const double q = strength * strength;
     for (const int axis : {0, 1}) {
       one.covariance(axis, axis) += q * t * t * t / 3.0;
       one.covariance(axis, axis + 2) += q * t * t / 2.0;
@@ -68,11 +102,20 @@ AntennaView FreeMotionModel::antenna(const Hypothesis& hypothesis, std::int64_t 
 }
 
 void FreeMotionModel::clean(Mixture& mixture) const {
-  // A mode that has never been lately must be able to come back.
+  // A way to move that has not been lately must be able to come back.
   constexpr double kLeast = 1e-3;
   double sum = 0.0;
   for (const Hypothesis& one : mixture) sum += one.weight;
-  for (Hypothesis& one : mixture) one.weight = std::max(one.weight / sum, kLeast);
+  Mixture by_mode;
+  for (int mode = 0; mode < kModes; ++mode) {
+    Mixture parts;
+    for (const Hypothesis& one : mixture) {
+      if (one.mode == mode) parts.push_back(one);
+    }
+    by_mode.push_back(moments(parts, -1));
+    by_mode.back().weight = std::max(by_mode.back().weight / sum, kLeast);
+  }
+  mixture = std::move(by_mode);
 }
 
 PoseEstimate FreeMotionModel::pose(const Mixture& mixture, std::int64_t /*utime*/) const {

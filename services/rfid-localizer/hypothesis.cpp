@@ -52,6 +52,7 @@ Hypothesis moments(const Mixture& mixture, int angle) {
     const StateVector d = difference(one.mean, result.mean, angle);
     result.covariance += one.weight / sum * (one.covariance + d * d.transpose());
   }
+  result.mode = heaviest->mode;
   result.weight = sum;
   if (angle >= 0) result.mean[angle] = unwrapped(result.mean[angle], 0.0);
   return result;

@@ -21,6 +21,7 @@ inline constexpr int kVelocityY = 3;  // m/s, without
 inline constexpr int kDelay = 4;      // s, from the middle of a round to its arrival
 
 struct Hypothesis {
+  int mode = 0;         // without encoders: a way to move (free_motion.hpp)
   double weight = 1.0;  // all together 1
   StateVector mean = StateVector::Zero();
   StateCovariance covariance = StateCovariance::Zero();

@@ -189,6 +189,7 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
   std::vector<int> near;
   std::vector<double> inside;  // by `near` of all hypotheses
   std::vector<int> learnt;
+  Mixture updated;
   for (Hypothesis& one : mixture_) {
     const AntennaView view = motion_->antenna(one, window.middle, window.length);
     Eigen::Matrix<double, 2, 5> H = view.H;
@@ -221,12 +222,22 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
 
     const RoundMatch found =
         match_round(view.p_WF, S, outcomes, window_points(view.velocity * round_s), model_, parameters_.match);
-    const Eigen::Matrix<double, 5, 2> K = one.covariance * H.transpose() * S.inverse();
-    one.mean += K * (found.mean - view.p_WF);
-    one.covariance -= K * (S - found.covariance) * K.transpose();
-    one.covariance = 0.5 * (one.covariance + one.covariance.transpose()).eval();
     one.weight *= std::max(found.evidence * unexplained, 1e-300);
     evidence += one.weight;
+    // What is jointly Gaussian with the place follows it.
+    const Eigen::Matrix<double, 5, 2> regression = one.covariance * H.transpose() * S.inverse();
+    Eigen::Matrix<double, 5, 2> K = regression;
+    if (!motion_->learns_delay()) K.row(kDelay).setZero();
+    for (const PlacePart& part : found.parts) {
+      Hypothesis next;
+      next.mode = one.mode;
+      next.weight = one.weight * part.share;
+      next.mean = one.mean + K * (part.mean - view.p_WF);
+      const Eigen::Matrix<double, 5, 5> cross = K * (S - part.covariance) * regression.transpose();
+      next.covariance = one.covariance - cross - cross.transpose() + K * (S - part.covariance) * K.transpose();
+      next.covariance = 0.5 * (next.covariance + next.covariance.transpose()).eval();
+      updated.push_back(next);
+    }
     for (std::size_t k = 0; k < near.size(); ++k) {
       const auto at = std::find(learnt.begin(), learnt.end(), near[k]);
       if (at == learnt.end()) {
@@ -241,7 +252,8 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
     const bool read = std::find(reachable.begin(), reachable.end(), learnt[k]) != reachable.end();
     reliability_.learn(learnt[k], read, inside[k] / evidence);
   }
-  motion_->clean(mixture_);
+  motion_->clean(updated);
+  mixture_ = std::move(updated);
 
   Agreement agreement = Agreement::kAgrees;
   if (reachable.empty()) {

@@ -45,6 +45,9 @@ class Motion {
   virtual void predict(Mixture& mixture, std::int64_t from, std::int64_t to) const = 0;
   // `middle` is the hypothesis' time, `round` (us) the length of a round around it.
   virtual AntennaView antenna(const Hypothesis& hypothesis, std::int64_t middle, std::int64_t round) const = 0;
+  // Whether the reads may teach the delay: told from an acceleration only where that is measured. Else it is a nuisance
+  // whose uncertainty counts (Schmidt, Advances in Control Systems 3, 1966).
+  virtual bool learns_delay() const = 0;
   virtual void clean(Mixture& mixture) const = 0;
   // What the mixture says at its time.
   virtual PoseEstimate pose(const Mixture& mixture, std::int64_t utime) const = 0;

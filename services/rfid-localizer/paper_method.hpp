@@ -13,12 +13,12 @@ namespace markservo::rfid_localizer {
 
 struct PaperParameters {
   double weight_sigma = 0.07;        // m, of the Gaussian weight: a tag at the footprint's edge (10 cm) counts a third
-  int recent = 10;                   // averages that vote for the direction
+  int recent = 15;                   // averages that vote for the direction
   int least_recent = 3;              // fewer give none
   double least_way = 0.05;           // m between the first and the last of them: less is noise, not motion
   double delay = 0.19;               // s, from reading to the answer
   double angle_step = 0.0174532925;  // rad, of the Hough accumulator: 1 degree
-  double line_width = 0.02;          // m, of its distance bins: the average's own error
+  double line_width = 0.06;          // m, of its distance bins: twice the averages' own error
 };
 
 struct PaperEstimate {

@@ -21,11 +21,25 @@ struct Grid {
 };
 
 struct Sums {
-  double prior = 0.0;
-  double posterior = 0.0;
-  Eigen::Vector2d first = Eigen::Vector2d::Zero();  // of u - centre
+  double weight = 0.0;
+  Eigen::Vector2d first = Eigen::Vector2d::Zero();  // of u
   Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-  std::vector<double> inside;
+
+  void add(const Eigen::Vector2d& u, double weight_here) {
+    weight += weight_here;
+    first += weight_here * u;
+    second += weight_here * u * u.transpose();
+  }
+  Eigen::Vector2d mean() const { return first / weight; }
+  Eigen::Matrix2d spread() const { return second / weight - mean() * mean().transpose(); }
+};
+
+struct Product {
+  double prior = 0.0;
+  Sums all;
+  std::vector<Eigen::Vector2d> points;  // u of the grid
+  std::vector<double> weights;          // prior times likelihood there
+  std::vector<double> inside;           // weighted sums, per outcome
 };
 
 double footprint(const Eigen::Vector2d& p, const TagOutcome& tag, const std::vector<WindowPoint>& window,
@@ -38,16 +52,15 @@ double footprint(const Eigen::Vector2d& p, const TagOutcome& tag, const std::vec
   return sum;
 }
 
-Sums integrate(const Ellipse& ellipse, const Grid& grid, const std::vector<TagOutcome>& outcomes,
-               const std::vector<WindowPoint>& window, const ReadModel& model, double false_read) {
-  Sums sums;
-  sums.inside.assign(outcomes.size(), 0.0);
+Product multiply(const Ellipse& ellipse, const Grid& grid, const std::vector<TagOutcome>& outcomes,
+                 const std::vector<WindowPoint>& window, const ReadModel& model, double false_read) {
+  Product product;
+  product.inside.assign(outcomes.size(), 0.0);
   std::vector<double> inside(outcomes.size());
   const Eigen::Vector2d step = 2.0 * grid.half / (grid.points - 1);
   for (int i = 0; i < grid.points; ++i) {
     for (int j = 0; j < grid.points; ++j) {
-      const Eigen::Vector2d offset = -grid.half + step.cwiseProduct(Eigen::Vector2d(i, j));
-      const Eigen::Vector2d u = grid.centre + offset;
+      const Eigen::Vector2d u = grid.centre - grid.half + step.cwiseProduct(Eigen::Vector2d(i, j));
       const Eigen::Vector2d p = ellipse.mean + ellipse.axes * u;
       const double prior = std::exp(-0.5 * u.squaredNorm());
       double likelihood = 1.0;
@@ -57,19 +70,45 @@ Sums integrate(const Ellipse& ellipse, const Grid& grid, const std::vector<TagOu
         likelihood *= outcomes[k].read ? reading + false_read : 1.0 - reading;
       }
       const double weight = prior * likelihood;
-      sums.prior += prior;
-      sums.posterior += weight;
-      sums.first += weight * offset;
-      sums.second += weight * offset * offset.transpose();
-      for (std::size_t k = 0; k < inside.size(); ++k) sums.inside[k] += weight * inside[k];
+      product.prior += prior;
+      product.all.add(u, weight);
+      product.points.push_back(u);
+      product.weights.push_back(weight);
+      for (std::size_t k = 0; k < inside.size(); ++k) product.inside[k] += weight * inside[k];
     }
   }
-  return sums;
+  return product;
 }
 
-Eigen::Matrix2d spread(const Sums& sums) {
-  const Eigen::Vector2d mean = sums.first / sums.posterior;
-  return sums.second / sums.posterior - mean * mean.transpose();
+PlacePart part(const Sums& sums, double total, const Ellipse& ellipse) {
+  return {sums.weight / total, ellipse.mean + ellipse.axes * sums.mean(),
+          ellipse.axes * sums.spread() * ellipse.axes.transpose()};
+}
+
+// One Gaussian, or two or three that share the grid's points along the longer axis.
+std::vector<PlacePart> parts_of(const Product& product, const Ellipse& ellipse, double widest) {
+  const PlacePart whole = part(product.all, product.all.weight, ellipse);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(whole.covariance);
+  const double sigma = std::sqrt(std::max(solver.eigenvalues()[1], 0.0));
+  if (sigma <= widest) return {whole};
+  const int count = sigma <= 2.0 * widest ? 2 : 3;
+  constexpr double kThird = 0.6;  // standard deviations from the mean: cuts about a quarter off at each side
+  const Eigen::Vector2d axis = solver.eigenvectors().col(1);
+  std::vector<Sums> sums(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < product.points.size(); ++i) {
+    const double along = axis.dot(ellipse.mean + ellipse.axes * product.points[i] - whole.mean) / sigma;
+    std::size_t place = along < 0.0 ? 0 : 1;
+    if (count == 3) place = along < -kThird ? 0 : (along > kThird ? 2 : 1);
+    sums[place].add(product.points[i], product.weights[i]);
+  }
+  std::vector<PlacePart> parts;
+  for (const Sums& one : sums) {
+    if (one.weight > 0.0) parts.push_back(part(one, product.all.weight, ellipse));
+  }
+  // A grid's few points can lie on one line.
+  constexpr double kThinnest = 1e-7;  // m^2
+  for (PlacePart& one : parts) one.covariance += kThinnest * Eigen::Matrix2d::Identity();
+  return parts;
 }
 
 }  // namespace
@@ -94,31 +133,29 @@ RoundMatch match_round(const Eigen::Vector2d& prior_mean, const Eigen::Matrix2d&
   const int wanted = static_cast<int>(std::ceil(std::min(extent / model.softness(), 1e3))) + 1;
   Grid grid{Eigen::Vector2d::Zero(), Eigen::Vector2d::Constant(parameters.span),
             std::clamp(wanted, parameters.least_points, parameters.most_points)};
-  Sums sums = integrate(ellipse, grid, outcomes, window, model, parameters.false_read);
+  Product product = multiply(ellipse, grid, outcomes, window, model, parameters.false_read);
   RoundMatch match;
-  if (!(sums.posterior > 0.0) || !(sums.prior > 0.0)) {  // everything contradicts everything
-    match.mean = prior_mean;
-    match.covariance = prior_covariance;
+  if (!(product.all.weight > 0.0)) {  // everything contradicts everything
+    match.parts = {{1.0, prior_mean, prior_covariance}};
     match.inside.assign(outcomes.size(), 0.0);
     return match;
   }
-  match.evidence = sums.posterior / sums.prior;
+  match.evidence = product.all.weight / product.prior;
 
   // Far narrower than the grid: once more, where it lies.
-  const Eigen::Vector2d narrow = spread(sums).diagonal().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::Vector2d narrow = product.all.spread().diagonal().cwiseMax(0.0).cwiseSqrt();
   constexpr double kNarrow = 0.4;  // standard deviations of the prior
   constexpr double kMargin = 4.0;  // standard deviations of what was found
   if (narrow.minCoeff() < kNarrow || grid.points == parameters.most_points) {
     const double spacing = 2.0 * grid.half.x() / (grid.points - 1);
-    grid.centre += sums.first / sums.posterior;
+    grid.centre += product.all.mean();
     grid.half = (kMargin * narrow).array() + spacing;
-    Sums finer = integrate(ellipse, grid, outcomes, window, model, parameters.false_read);
-    if (finer.posterior > 0.0) sums = std::move(finer);
+    Product finer = multiply(ellipse, grid, outcomes, window, model, parameters.false_read);
+    if (finer.all.weight > 0.0) product = std::move(finer);
   }
-  match.mean = ellipse.mean + ellipse.axes * (grid.centre + sums.first / sums.posterior);
-  match.covariance = ellipse.axes * spread(sums) * ellipse.axes.transpose();
-  for (double& inside : sums.inside) inside /= sums.posterior;
-  match.inside = std::move(sums.inside);
+  match.parts = parts_of(product, ellipse, parameters.widest * model.softness());
+  match.inside = std::move(product.inside);
+  for (double& inside : match.inside) inside /= product.all.weight;
   return match;
 }
 

@@ -26,11 +26,17 @@ struct WindowPoint {
   double weight = 1.0;                               // all together 1
 };
 
-struct RoundMatch {
+// A Gaussian part of what a round leaves possible.
+struct PlacePart {
+  double share = 1.0;                                        // of all parts together 1
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();            // m, of the antenna in the round's middle
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  // m^2
-  double evidence = 0.0;                                     // probability of the outcomes, given the prior
-  std::vector<double> inside;  // per outcome, how likely the tag was well inside the footprint, afterwards
+};
+
+struct RoundMatch {
+  std::vector<PlacePart> parts;  // one; two or three along the longer axis where one would be wider than allowed
+  double evidence = 0.0;         // probability of the outcomes, given the prior
+  std::vector<double> inside;    // per outcome, how likely the tag was well inside the footprint, afterwards
 };
 
 struct RoundMatchParameters {
@@ -38,6 +44,7 @@ struct RoundMatchParameters {
   double span = 3.5;         // standard deviations that the grid covers
   int least_points = 15;     // of the grid, each way: a spacing of half a standard deviation
   int most_points = 61;
+  double widest = 3.0;  // softnesses: a Gaussian with a larger standard deviation bends around the footprint's edge
 };
 
 // The moments of a round at which each tag is tried: nodes of a quadrature along the antenna's `way` (m) through the

@@ -9,9 +9,9 @@ namespace markservo::rfid_localizer {
 
 // How far wheels may be believed.
 struct WheelNoise {
-  double drift = 0.035;        // rad per sqrt(m): 2 degrees, of a plain base on a plain floor
+  double drift = 0.045;        // rad per sqrt(m): 2 degrees of a plain base on a plain floor, and some slip
   double turn_error = 0.03;    // rad per sqrt(rad) of turning: track and tyres
-  double scale_walk = 0.005;   // per sqrt(m): load and floor change the wheels' effective radius
+  double scale_walk = 0.01;    // per sqrt(m): load and floor change the wheels' effective radius
   double creep = 0.0003;       // m per sqrt(s): what no encoder sees
   double delay_walk = 0.0003;  // s per sqrt(s)
   double track = 0.32;         // m

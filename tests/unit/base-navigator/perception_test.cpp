@@ -185,5 +185,13 @@ TEST(FlatFace, IsNotSeenInOneNearEchoAmongFarOnes) {
   EXPECT_FALSE(faces[1].has_value());
 }
 
+TEST(FlatFace, PushesAnArcOutByItsGainAtMost) {
+  const SonarReading reading{{0.2, 0.0, 0.0}, true, 0.5};
+  const FlatFaceParameters parameters;
+  EXPECT_NEAR(range_to_face(parameters, reading, {0.0, 0.7}, 0.2), 0.5 / std::cos(0.2), 1e-9);
+  EXPECT_NEAR(range_to_face(parameters, reading, {0.0, 0.9}, 0.0), 0.5 + parameters.gain, 1e-9);
+  EXPECT_NEAR(range_to_face(parameters, reading, {0.0, 0.6}, 0.0), 0.5, 1e-9);
+}
+
 }  // namespace
 }  // namespace markservo::base_navigator::test
