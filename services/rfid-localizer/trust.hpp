@@ -12,6 +12,7 @@ enum class Placement { kSearching, kLocalised, kLost };
 struct TrustParameters {
   int contradictions = 5;       // rounds, less the agreeing ones between them: half a second at 10 Hz
   double unlikely = 0.01;       // an empty round with less probability contradicts
+  double explained = 0.05;      // a read whose tag was inside the footprint with less probability is no confirmation
   int confirmations = 3;        // agreeing rounds with reads until a new place is believed
   double largest_sigma = 0.15;  // m, of the position: more is no place to drive by
   double silence = 2.0;         // s without any round: the reader is gone
