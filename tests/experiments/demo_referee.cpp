@@ -166,7 +166,9 @@ class Demo {
     while (elapsed() < kAftermath) {
       step();
       course.lift.observe(rig_.truth(), demo_.target, course.last.state);
-      if (!earlier && elapsed() >= kAftermath - kRestTime) earlier = rig_.truth();
+      if (earlier || elapsed() < kAftermath - kRestTime) continue;
+      earlier = rig_.truth();
+      drive_.expect_rest();
     }
     course.moved_at_end = farthest_joint(rig_.truth().shaft, earlier->shaft);
     if (!demo_.carry) return;

@@ -19,6 +19,7 @@ const cv::Scalar kGoal(60, 160, 40);
 constexpr double kPixelsPerMetre = 560.0;
 constexpr double kMargin = 0.05;      // m
 constexpr int kLegendHeight = 30;     // px
+constexpr int kLabelWidth = 95;       // px, on the right
 constexpr double kTagRadius = 0.008;  // m
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 constexpr double kTextScale = 0.45;
@@ -51,7 +52,7 @@ class Plan {
     box_.extend(Eigen::Vector2d(box_.max().array() + kMargin));
     turned_ = box_.sizes().y() > box_.sizes().x();
     const Eigen::Vector2d size = turned_ ? Eigen::Vector2d(box_.sizes().y(), box_.sizes().x()) : box_.sizes();
-    image = cv::Mat(kLegendHeight + pixels(size.y()), std::max(pixels(size.x()), 640), CV_8UC3, kPaper);
+    image = cv::Mat(kLegendHeight + pixels(size.y()), std::max(pixels(size.x()) + kLabelWidth, 640), CV_8UC3, kPaper);
   }
 
   cv::Point at(const Eigen::Vector2d& p_W) const {
@@ -124,8 +125,7 @@ void write_drive_picture(const std::string& path, const robot::RobotDescription&
   cv::drawMarker(plan.image, plan.at({goal.x, goal.y}), kGoal, cv::MARKER_TILTED_CROSS, 18, 2, cv::LINE_AA);
   for (const PlacedMark& mark : marks) {
     cv::circle(plan.image, plan.at(mark.p_W), 5, kInk, cv::FILLED, cv::LINE_AA);
-    const int width = cv::getTextSize(mark.name, kFont, kTextScale, 1, nullptr).width;
-    plan.text(mark.name, plan.at(mark.p_W) + cv::Point(-10 - width, 5));
+    plan.text(mark.name, plan.at(mark.p_W) + cv::Point(12, 5));
   }
   plan.text("true way", {8, 20});
   plan.text("as ROBOT_POSE told it", {90, 20}, kTold);

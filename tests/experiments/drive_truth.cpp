@@ -81,6 +81,7 @@ DriveResult DriveWatch::result(const Pose2& goal) const {
   result.seconds = seconds_;
   result.way = way_;
   result.strayed = strayed_;
+  if (rest_since_way_) result.moved_at_end = way_ + strayed_ - *rest_since_way_;
   result.touched = touched_;
   result.nearest = nearest_.value_or(NAN);
   result.error = pose_error((arrived_ ? *arrived_ : *last_).pose, goal);
@@ -104,6 +105,7 @@ nlohmann::json report_of(const DriveResult& drive, const Pose2& goal) {
                  {"seconds", drive.seconds},
                  {"way_m", drive.way},
                  {"moved_outside_drives_m", drive.strayed},
+                 {"moved_at_end_m", drive.moved_at_end},
                  {"touched", drive.touched},
                  {"nearest_m", number(drive.nearest)},
                  {"error_m", drive.error.position},

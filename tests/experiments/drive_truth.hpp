@@ -26,16 +26,17 @@ struct PoseError {
 PoseError pose_error(const Pose2& a, const Pose2& b);
 
 struct DriveResult {
-  bool known = false;      // SIM_BASE_TRUTH was heard
-  int drives = 0;          // the first, and corrections
-  double seconds = 0.0;    // of the world's time, in them
-  double way = 0.0;        // m, while driving
-  double strayed = 0.0;    // m, way outside of drives, while the task ran
-  bool touched = false;    // the base ran into something
-  double nearest = 0.0;    // m, least distance of the robot's outline to anything
-  PoseError error;         // true pose minus the goal's, after the last drive
-  PoseError told_error;    // ROBOT_POSE minus the true pose, then
-  double told_mean = 0.0;  // m, mean and maximum of that over all drives
+  bool known = false;         // SIM_BASE_TRUTH was heard
+  int drives = 0;             // the first, and corrections
+  double seconds = 0.0;       // of the world's time, in them
+  double way = 0.0;           // m, while driving
+  double strayed = 0.0;       // m, way outside of drives, while the task ran
+  double moved_at_end = 0.0;  // m, when all should be at rest
+  bool touched = false;       // the base ran into something
+  double nearest = 0.0;       // m, least distance of the robot's outline to anything
+  PoseError error;            // true pose minus the goal's, after the last drive
+  PoseError told_error;       // ROBOT_POSE minus the true pose, then
+  double told_mean = 0.0;     // m, mean and maximum of that over all drives
   double told_max = 0.0;
 };
 
@@ -44,6 +45,8 @@ class DriveWatch {
   explicit DriveWatch(bus::Bus& bus);
   // `phase`: the task's state from now on; to be called at every frame of the task.
   void observe(int8_t phase);
+  // From now on the base must rest.
+  void expect_rest() { rest_since_way_ = way_ + strayed_; }
   DriveResult result(const Pose2& goal) const;
 
   // Poses over the drives and all that was between: true ones, and what ROBOT_POSE said while it was localised.
@@ -63,6 +66,7 @@ class DriveWatch {
   double seconds_ = 0.0;
   double way_ = 0.0;
   double strayed_ = 0.0;
+  std::optional<double> rest_since_way_;
   bool touched_ = false;
   std::optional<double> nearest_;
   std::optional<SimBaseTruth> arrived_;  // when the last drive had ended

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
+#include "common/robot/robot_description.hpp"
 
 namespace markservo::task_operator {
 namespace {
@@ -71,9 +72,9 @@ class OperatorOnABus : public ::testing::Test {
   void speak() {
     utime_ += 20'000;
     stop_.utime = task_.utime = task_.frame_utime = utime_;
-    stop_.latched = latched_ ? 1 : 0;
-    for (const char* device : {"arm", "base"}) {
+    for (const std::string& device : devices_) {
       stop_.device = device;
+      stop_.latched = latched_ ? 1 : 0;
       stop_states_.publish(stop_);
     }
     if (task_.command_session != 0 && !procedure_.empty()) {
@@ -83,6 +84,7 @@ class OperatorOnABus : public ::testing::Test {
     task_states_.publish(task_);
   }
 
+  const std::vector<std::string> devices_ = robot::load_robot_description(kRobotFile).stop_devices;
   bus::Bus bus_;
   bus::Publisher<StopState> stop_states_;
   bus::Publisher<TaskState> task_states_;
