@@ -98,12 +98,12 @@ void add_hall_courses(std::vector<LocalisationCase>& cases) {
 
   constexpr double kGoodOdometry = 0.005;
   LocalisationCase good = hall("hall_odometry_0.5pct", "odometry 0.5%", 0.011);
-  good.rig.base.scale_sigma = kGoodOdometry;
+  good.robot.scale_sigma = kGoodOdometry;
   cases.push_back(good);
   // 0.8 cm is asked of a quicker reader with good encoders or of denser tags. The denser tags are held to it: the
   // wheels' own noise, without which there is no drift of 2 degrees, leaves a bound of 0.81 cm to the quicker reader.
   LocalisationCase quick = hall("hall_20Hz_0.5pct", "20 Hz, odometry 0.5%", std::nullopt);
-  quick.rig.base.scale_sigma = kGoodOdometry;
+  quick.robot.scale_sigma = kGoodOdometry;
   quick.robot.round_time = 0.05;
   cases.push_back(quick);
   LocalisationCase dense = hall("hall_d5", "d 5 cm", 0.008);
@@ -112,7 +112,7 @@ void add_hall_courses(std::vector<LocalisationCase>& cases) {
   LocalisationCase dense_good = dense;
   dense_good.name = "hall_d5_0.5pct";
   dense_good.variant = "d 5 cm, odometry 0.5%";
-  dense_good.rig.base.scale_sigma = kGoodOdometry;
+  dense_good.robot.scale_sigma = kGoodOdometry;
   cases.push_back(dense_good);
 
   // With the footprint of the others, and with one that suits the spacing, which is what the bars are for.

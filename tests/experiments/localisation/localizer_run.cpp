@@ -22,7 +22,6 @@ std::vector<std::string> words(const Told& told) {
     add("--start-heading", wrapped(*told.start_heading) * kDegrees);
     add("--start-heading-sigma", told.start_heading_sigma * kDegrees);
   }
-  if (told.scale_sigma) add("--scale-sigma", *told.scale_sigma);
   if (told.delay_sigma) add("--delay-sigma", *told.delay_sigma);
   return result;
 }

@@ -17,7 +17,6 @@ namespace markservo::experiments {
 struct Told {
   std::optional<double> start_heading;  // rad in W
   double start_heading_sigma = 0.0;     // rad
-  std::optional<double> scale_sigma;    // of the encoders
   std::optional<double> delay_sigma;    // s
 };
 

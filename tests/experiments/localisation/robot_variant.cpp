@@ -30,12 +30,14 @@ std::string robot_text(const std::string& robot_file, const RobotVariant& varian
   try {
     YAML::Node robot = YAML::LoadFile(robot_file);
     YAML::Node rfid = robot["rfid"];
-    if (!rfid || !robot["floor_tags"]) {
-      throw ConfigurationError(robot_file + ": has no rfid or no floor_tags; the experiment needs both");
+    YAML::Node base = robot["base"];
+    if (!base || !rfid || !robot["floor_tags"]) {
+      throw ConfigurationError(robot_file + ": lacks base, rfid or floor_tags; the experiment needs all three");
     }
     if (variant.reading_radius) rfid["reading_radius"] = *variant.reading_radius;
     if (variant.edge_softness) rfid["edge_softness"] = *variant.edge_softness;
     if (variant.round_time) rfid["round_time"] = *variant.round_time;
+    if (variant.scale_sigma) base["odometry"]["scale_sigma"] = *variant.scale_sigma;
     if (variant.spacing) space_hall(robot["floor_tags"]["fields"], *variant.spacing);
     return YAML::Dump(robot) + "\n";
   } catch (const YAML::Exception& error) {

@@ -11,8 +11,9 @@ struct RobotVariant {
   std::optional<double> reading_radius;  // m
   std::optional<double> edge_softness;   // m
   std::optional<double> round_time;      // s
+  std::optional<double> scale_sigma;     // of the encoders
 
-  bool none() const { return !spacing && !reading_radius && !edge_softness && !round_time; }
+  bool none() const { return !spacing && !reading_radius && !edge_softness && !round_time && !scale_sigma; }
 };
 
 // The text of `robot_file` with the variant's values in place of its own.

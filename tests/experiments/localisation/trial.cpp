@@ -44,14 +44,14 @@ class Trial {
         plan_(plan_course(the_case, field(), seed_)),
         delay_(robot.rfid->delay) {
     simulator::BaseRigParameters rig = the_case.rig;
+    rig.base.scale_sigma = robot.base->scale_sigma;
+    rig.base.drift = robot.base->drift;
     if (the_case.delay_sigma) {
       simulator::RandomBits bits(simulator::seed_for(seed_, kDelayStream, 0));
       delay_ = kLeastDelay + (kGreatestDelay - kLeastDelay) * bits.uniform();
       told_.delay_sigma = the_case.delay_sigma;
       rig.reader.delay = delay_;
     }
-    // Encoders of another quality are another robot, and its owner says so.
-    if (rig.base.scale_sigma != simulator::BaseModelParameters{}.scale_sigma) told_.scale_sigma = rig.base.scale_sigma;
     if (the_case.kind == CourseKind::kStraightStanding) {
       simulator::RandomBits bits(simulator::seed_for(seed_, kHeadingStream, 0));
       told_.start_heading = plan_.start.heading + kStartHeadingSigma * bits.gaussian();
@@ -135,9 +135,9 @@ class Trial {
 
   EncoderNoise encoder_noise() const {
     EncoderNoise noise;
-    noise.scale_sigma = case_.rig.base.scale_sigma;
-    noise.heading_drift = case_.rig.base.drift;
-    noise.along = 0.5 * case_.rig.base.drift * robot_.base->track;
+    noise.scale_sigma = robot_.base->scale_sigma;
+    noise.heading_drift = robot_.base->drift;
+    noise.along = 0.5 * robot_.base->drift * robot_.base->track;
     return noise;
   }
 
