@@ -35,7 +35,7 @@ struct LocalisationCase {
   CourseKind kind = CourseKind::kHall;
   double speed = 0.40;  // m/s
   RobotVariant robot;
-  simulator::BaseRigParameters rig;   // its faults the localizer is not told of
+  simulator::BaseRigParameters rig;   // faults that the localizer is not told of; the encoders' errors are robot.yaml's
   bool without_encoders = false;      // run a second time on the reads alone
   int trials_factor = 1;              // times the trials asked for
   double settling = 1.0;              // s that are told apart, from the first read on or from where the course says

@@ -33,7 +33,7 @@ struct EncoderNoise {
 
 // How a base without encoders may move: its velocity drifts by white acceleration, and is unknown at first.
 struct FreeMotion {
-  double acceleration = 0.02;  // m/s^1.5, each axis: cruising, the quieter of the two motions that rfid-localizer knows
+  double acceleration = 0.02;  // m/s^1.5, each axis: cruising, the quietest motion that rfid-localizer expects
   double speed_sigma = 0.5;    // m/s, each axis of the velocity at first
 };
 

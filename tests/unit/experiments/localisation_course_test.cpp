@@ -150,10 +150,12 @@ TEST(RobotVariant, ChangesWhatItSaysAndNothingElse) {
   variant.spacing = 0.34;
   variant.reading_radius = 0.20;
   variant.round_time = 0.05;
+  variant.scale_sigma = 0.005;
   std::ofstream(file) << robot_text(kRobotFile, variant);
   const robot::RobotDescription changed = robot::load_robot_description(file);
   EXPECT_EQ(changed.rfid->reading_radius, 0.20);
   EXPECT_EQ(changed.rfid->round_time, 0.05);
+  EXPECT_EQ(changed.base->scale_sigma, 0.005);
   EXPECT_EQ(changed.rfid->edge_softness, robot_description().rfid->edge_softness);
   EXPECT_EQ(changed.base->track, robot_description().base->track);
   const FieldBox hall = field_box(changed.floor_tags->field("hall"));
