@@ -188,7 +188,7 @@ void Manoeuvre::end_leg(ManoeuvreState& state) const {
 
 Advice Manoeuvre::settle(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
   const ArrivalParameters& arrival = parameters_.arrival;
-  const Advice advice{stand(), DriveState::kDriving, ""};
+  Advice advice{stand(), DriveState::kDriving, ""};
   if (!standing(situation)) {
     state.standing_since = 0;
     return advice;

@@ -97,7 +97,7 @@ class BaseNavigatorOnABus : public testing::Test {
   // That answers the odometry `back` before the newest one.
   void tell_pose(int back = 0) {
     RobotPose pose{};
-    pose.utime = utime_ - 20'000 * back;
+    pose.utime = utime_ - std::int64_t{20'000} * back;
     pose.odometry_session = odometry_.session();
     pose.odometry_seq = odometry_seq() - back;
     pose.state = RobotPose::LOCALISED;

@@ -20,7 +20,7 @@ const OdometryParameters kOdometry = [] {
 }();
 
 OdometrySample wheels(int step, double left, double right, std::int64_t session = 3) {
-  return {kStart + 20'000 * step, session, left, right};
+  return {kStart + std::int64_t{20'000} * step, session, left, right};
 }
 
 TEST(OdometryTrack, FollowsAnArc) {
@@ -104,7 +104,7 @@ class SonarsBeforeAWall : public testing::Test {
     world.walls = walls_;
     world.X_WR = {x, 0.0, 0.0};
     SonarScanSample scan = world.scan();
-    scan.utime = kStart + 20'000 * step;
+    scan.utime = kStart + std::int64_t{20'000} * step;
     return scan;
   }
 

@@ -52,7 +52,7 @@ class Rig {
     if (goal && sender_lives && steps_ % 10 == 0) tell(*goal);
     const PoseSample pose = world.pose();
     if (localiser_lives) navigator.observe(pose, state);
-    const Output output = navigator.step(state);
+    Output output = navigator.step(state);
     watch(output);
     world.step(output.command);
     touched = touched || world.nearest() <= 0.0;
