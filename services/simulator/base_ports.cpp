@@ -49,7 +49,7 @@ void BasePorts::on_command(const BaseCommand& message) {
   }
 }
 
-void BasePorts::publish_due() {
+bool BasePorts::publish_due() {
   const MobileBaseOutputs due = simulation_->take_due();
   for (const TagRound& round : due.rounds) {
     RfidTagHits message = rfid_message(round);
@@ -59,10 +59,11 @@ void BasePorts::publish_due() {
     scan_ = sonar_message(*due.scan);
     scans_.publish(*scan_);
   }
-  if (!due.odometry) return;
+  if (!due.odometry) return false;
   odometry_ = odometry_message(*due.odometry);
   publish_odometry();
   barrier_.expect(odometries_.session(), odometry_seq_);
+  return true;
 }
 
 void BasePorts::repeat() {

@@ -30,14 +30,13 @@ class BasePorts {
   BasePorts(const BasePorts&) = delete;
   BasePorts& operator=(const BasePorts&) = delete;
 
-  // Sends what has become due.
-  void publish_due();
+  // Sends what has become due. True if that was an odometry.
+  bool publish_due();
   // Sends the newest odometry again under another number, with what belongs to it: nobody was there to answer.
   void repeat();
 
   // Whether the awaited channels have answered the newest odometry.
   const LockstepBarrier& barrier() const { return barrier_; }
-  std::int64_t odometry_seq() const { return odometry_seq_; }
 
  private:
   void on_command(const BaseCommand& message);

@@ -235,8 +235,7 @@ void SimulatorNode::run(bus::Bus& bus) {
 void SimulatorNode::run_lockstep(bus::Bus& bus) {
   while (true) {
     const std::int64_t resets = resets_;
-    publish_base();
-    if (!wait_for_the_odometry(bus)) return;
+    if (publish_base() && !wait_for_answers(bus, odometry_wait_, base_->barrier(), "an odometry")) return;
     if (resets != resets_) continue;
     if (!world_is_new_ && frame_seq_ > 0 && !simulation_->frame_due()) {
       step();
@@ -248,10 +247,6 @@ void SimulatorNode::run_lockstep(bus::Bus& bus) {
     if (lost && !bus.poll(milliseconds(0))) return;
     if (resets == resets_) step();
   }
-}
-
-bool SimulatorNode::wait_for_the_odometry(bus::Bus& bus) {
-  return !base_ || wait_for_answers(bus, odometry_wait_, base_->barrier(), "an odometry");
 }
 
 bool SimulatorNode::wait_for_answers(bus::Bus& bus, LockstepWait& wait, const LockstepBarrier& barrier,
@@ -378,8 +373,8 @@ void SimulatorNode::repeat_odometry() {
   base_->repeat();
 }
 
-void SimulatorNode::publish_base() {
-  if (base_) base_->publish_due();
+bool SimulatorNode::publish_base() {
+  return base_ && base_->publish_due();
 }
 
 }  // namespace markservo::simulator

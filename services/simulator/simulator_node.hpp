@@ -51,14 +51,14 @@ class SimulatorNode : public bus::Service {
   void run_real_time(bus::Bus& bus);
   // Until all awaited channels answered, the wait timed out, or the world was reset. False when the service shall end.
   bool wait_for_answers(bus::Bus& bus, LockstepWait& wait, const LockstepBarrier& barrier, const char* what);
-  bool wait_for_the_odometry(bus::Bus& bus);
 
   void step();
   void expose_frame();
   void publish_truth();
   void publish_joint_state();
   void publish_stop_states();
-  void publish_base();
+  // True if an odometry went out.
+  bool publish_base();
   void repeat_odometry();
   ImagePair draw();
 
