@@ -9,7 +9,7 @@ namespace markservo::base_navigator {
 
 struct LegParameters {
   double heading_within = 0.8;   // rad between the way and the goal's heading, up to which the way curves into it
-  double reverse_within = 0.5;   // m; a goal so near behind the robot is reversed to
+  double reverse_within = 1.0;   // m; a goal so near behind the robot is reversed to: its sonars look there too
   double docking_below = 0.15;   // m of clearance; such a goal is entered straight, as there is no room to turn at it
   double run_up = 0.5;           // m, from where it is entered
   double at_goal = 0.012;        // m; so near, nothing but the heading is left to be corrected
