@@ -27,6 +27,9 @@ std::int64_t EncoderCounters::difference(std::int32_t newer, std::int32_t older)
 }
 
 std::optional<WheelMotion> EncoderCounters::motion(const EncoderReading& reading) {
+  if (base_.ticks_per_turn <= 0 || !(base_.wheel_radius > 0.0) || !(base_.track > 0.0)) {
+    throw std::invalid_argument("encoders of a robot whose base is not described; allowed: a robot.yaml with 'base'");
+  }
   if (!last_) {
     last_ = reading;
     return std::nullopt;
@@ -44,9 +47,13 @@ std::optional<WheelMotion> EncoderCounters::motion(const EncoderReading& reading
 
   const double wheel_speed = base_.speed_max + 0.5 * base_.track * base_.turn_rate_max;
   const double most = kSpeedMargin * wheel_speed * time + kPacket;
+  // After a gap so long the counters may have wrapped around unseen.
+  const double half_period = 0.5 * std::ldexp(base_.metres_per_tick(), base_.counter_bits);
+  const bool ambiguous = wheel_speed * time > half_period;
   const bool jumped = !restarted && std::max(std::abs(left), std::abs(right)) > most;
   if (jumped) ++jumps_;
-  if (restarted || jumped) return WheelMotion{0.0, 0.0, time, base_.speed_max * std::min(time, kLongestGap)};
+  if (restarted || jumped || ambiguous)
+    return WheelMotion{0.0, 0.0, time, base_.speed_max * std::min(time, kLongestGap)};
   return WheelMotion{0.5 * (left + right), (right - left) / base_.track, time, 0.0};
 }
 

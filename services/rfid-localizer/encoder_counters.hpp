@@ -22,8 +22,9 @@ class EncoderCounters {
  public:
   explicit EncoderCounters(const robot::BaseDescription& base);
 
-  // The motion since the last reading; nothing for the first one. A driver's restart and a jump of the counters give
-  // no motion but an unknown way. Throws std::invalid_argument, and keeps what it had, when time does not go on.
+  // The motion since the last reading; nothing for the first one. A driver's restart, a jump of the counters and a gap
+  // in which they may have wrapped around unseen give no motion but an unknown way. Throws std::invalid_argument, and
+  // keeps what it had, when time does not go on.
   std::optional<WheelMotion> motion(const EncoderReading& reading);
 
   // The next reading is the first one.

@@ -121,23 +121,28 @@ void FreeMotionModel::clean(Mixture& mixture) const {
 PoseEstimate FreeMotionModel::pose(const Mixture& mixture, std::int64_t /*utime*/) const {
   const Hypothesis all = moments(mixture, -1);
   const Eigen::Vector2d velocity = all.mean.segment<2>(kVelocityX);
-  const double speed_squared = std::max(velocity.squaredNorm(), 1e-12);
+  const double speed_squared = velocity.squaredNorm();
   const double heading = std::atan2(velocity.y(), velocity.x());
+  const Eigen::Vector2d offset = Eigen::Rotation2Dd(heading) * p_RF_;
 
   // The heading by the velocity: its variance at speed, that of any heading at rest.
-  Eigen::Matrix<double, 3, 5> J = Eigen::Matrix<double, 3, 5>::Zero();
+  constexpr double kAnyHeading = M_PI * M_PI / 3.0;
+  constexpr double kAtRest = 1e-12;  // m^2/s^2
+  StateVector by_velocity = StateVector::Zero();
+  if (speed_squared > kAtRest) {
+    by_velocity[kVelocityX] = -velocity.y() / speed_squared;
+    by_velocity[kVelocityY] = velocity.x() / speed_squared;
+    const double variance = by_velocity.dot(all.covariance * by_velocity);
+    if (variance > kAnyHeading) by_velocity *= std::sqrt(kAnyHeading / variance);
+  }
+  // R lies `offset` behind the antenna, where the heading turns it to.
+  const Eigen::Vector3d turned(offset.y(), -offset.x(), 1.0);
+  Eigen::Matrix<double, 3, 5> J = turned * by_velocity.transpose();
   J(0, kX) = J(1, kY) = 1.0;
-  J(2, kVelocityX) = -velocity.y() / speed_squared;
-  J(2, kVelocityY) = velocity.x() / speed_squared;
   PoseEstimate estimate;
   estimate.covariance = J * all.covariance * J.transpose();
-  constexpr double kAnyHeading = M_PI * M_PI / 3.0;
-  if (estimate.covariance(2, 2) > kAnyHeading) {
-    const double shrink = std::sqrt(kAnyHeading / estimate.covariance(2, 2));
-    estimate.covariance.row(2) *= shrink;
-    estimate.covariance.col(2) *= shrink;
-  }
-  estimate.pose << all.mean.head<2>() - Eigen::Rotation2Dd(heading) * p_RF_, heading;
+  if (speed_squared <= kAtRest) estimate.covariance += kAnyHeading * turned * turned.transpose();
+  estimate.pose << all.mean.head<2>() - offset, heading;
   estimate.speed = std::sqrt(speed_squared);
   return estimate;
 }

@@ -14,7 +14,7 @@ class ReadModel {
   ReadModel(double radius, double softness);
 
   // The footprint's share in the read probability, from 1 well inside to 0 at reach() and beyond; `squared_distance`
-  // in m^2. Off by at most 0.001.
+  // in m^2. Off by at most 0.001 where the radius is 5 softnesses or more.
   double inside(double squared_distance) const {
     const double position = squared_distance * bins_per_m2_;
     if (position >= static_cast<double>(kBins)) return 0.0;

@@ -35,10 +35,20 @@ std::optional<int> TagMap::find(const std::string& uid) const {
 
 void TagMap::near(const Eigen::Vector2d& p_W, double radius, std::vector<int>& tags) const {
   tags.clear();
+  const int first_column = cell_index(p_W.x() - radius);
+  const int first_row = cell_index(p_W.y() - radius);
   const int last_column = cell_index(p_W.x() + radius);
   const int last_row = cell_index(p_W.y() + radius);
-  for (int column = cell_index(p_W.x() - radius); column <= last_column; ++column) {
-    for (int row = cell_index(p_W.y() - radius); row <= last_row; ++row) {
+  // Who does not know where it is asks for more cells than there are tags.
+  const double cells = (1.0 + last_column - first_column) * (1.0 + last_row - first_row);
+  if (cells > static_cast<double>(size())) {
+    for (int tag = 0; tag < static_cast<int>(size()); ++tag) {
+      if ((position(tag) - p_W).squaredNorm() <= radius * radius) tags.push_back(tag);
+    }
+    return;
+  }
+  for (int column = first_column; column <= last_column; ++column) {
+    for (int row = first_row; row <= last_row; ++row) {
       const auto entry = by_cell_.find(cell(column, row));
       if (entry == by_cell_.end()) continue;
       for (const int tag : entry->second) {

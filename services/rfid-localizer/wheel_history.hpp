@@ -2,6 +2,7 @@
 
 // What the wheels said, kept long enough to go back to the time of a read.
 
+#include <cmath>
 #include <cstdint>
 #include <deque>
 
@@ -17,6 +18,8 @@ struct WheelMotion {
 
 class WheelHistory {
  public:
+  static constexpr std::int64_t kKept_us = 3'000'000;  // longer than any reader's delay
+
   // Adds the motion since the last sample, which ended at `utime` (us, after the last). The first sample begins the
   // record; its motion is ignored.
   void add(std::int64_t utime, const WheelMotion& motion);
@@ -26,7 +29,8 @@ class WheelHistory {
   std::int64_t newest() const { return samples_.back().utime; }  // us
   std::int64_t oldest() const { return samples_.front().utime; }
 
-  // Calls `use(motion)` for each piece of the way from `from` to `to` (us), in order. Before the record begins nothing
+  // Calls `use(motion)` for each piece of the way from `from` to `to` (us), in order; a part of an unknown way has its
+  // share of the variance. Before the record begins nothing
   // is known to move; after its end the last piece goes on for at most kExtrapolation_us.
   template <class Use>
   void replay(std::int64_t from, std::int64_t to, Use use) const {
@@ -41,7 +45,7 @@ class WheelHistory {
       const double share = static_cast<double>(last - first) / static_cast<double>(samples_[i].utime - begin);
       const WheelMotion& motion = samples_[i].motion;
       use(WheelMotion{motion.way * share, motion.turn * share, 1e-6 * static_cast<double>(last - first),
-                      motion.unknown_way * share});
+                      motion.unknown_way * std::sqrt(share)});
     }
   }
 
@@ -49,7 +53,6 @@ class WheelHistory {
   WheelMotion rate(std::int64_t from, std::int64_t to) const;
 
  private:
-  static constexpr std::int64_t kKept_us = 3'000'000;  // longer than any reader's delay
   static constexpr std::int64_t kExtrapolation_us = 200'000;
 
   struct Sample {

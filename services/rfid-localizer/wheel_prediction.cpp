@@ -6,7 +6,10 @@ namespace markservo::rfid_localizer {
 
 void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise& noise) {
   StateVector& x = hypothesis.mean;
-  const double way = motion.way * (1.0 + x[kScale]);
+  // An arc ends where its chord does; a piece of the record may bend much when readings were lost.
+  const double half = 0.5 * motion.turn;
+  const double told = std::abs(half) > 1e-6 ? motion.way * std::sin(half) / half : motion.way;
+  const double way = told * (1.0 + x[kScale]);
   const double middle = x[kHeading] + 0.5 * motion.turn;
   const double c = std::cos(middle);
   const double s = std::sin(middle);
@@ -14,8 +17,8 @@ void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise
   StateCovariance F = StateCovariance::Identity();
   F(kX, kHeading) = -way * s;
   F(kY, kHeading) = way * c;
-  F(kX, kScale) = motion.way * c;
-  F(kY, kScale) = motion.way * s;
+  F(kX, kScale) = told * c;
+  F(kY, kScale) = told * s;
 
   x[kX] += way * c;
   x[kY] += way * s;

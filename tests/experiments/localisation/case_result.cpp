@@ -24,6 +24,7 @@ void LiveTotals::add(const BoundedScore& score) {
   append(bound_all, score.bound_all);
   append(bound_settled, score.bound_settled);
   append(heading, score.live.settled_heading);
+  append(bound_heading, score.bound_heading);
   append(nees, score.live.settled_nees);
   not_localised += score.live.settled_not_localised;
   without_pose += score.live.without_pose;
@@ -43,9 +44,12 @@ void CaseResult::add(const TrialResult& trial) {
   ++trials;
   with_encoders.add(trial.with_encoders);
   if (trial.without_encoders) {
-    if (!without_encoders) without_encoders.emplace();
-    without_encoders->add(*trial.without_encoders);
+    if (!free_sampled) free_sampled.emplace();
+    if (!free_published) free_published.emplace();
+    free_sampled->add(trial.without_encoders->sampled);
+    free_published->add(trial.without_encoders->published);
   }
+  if (trial.with_encoders.live.diverged) diverged_seeds.push_back(trial.seed);
   paper.insert(paper.end(), trial.paper.begin(), trial.paper.end());
   delay_errors.push_back(std::abs(trial.delay_error));
   delay_bound += (trial.delay_error_bound - delay_bound) / trials;

@@ -16,6 +16,7 @@ struct LiveTotals {
   std::vector<double> bound_all;      // m
   std::vector<double> bound_settled;  // m
   std::vector<double> heading;        // rad, absolute
+  std::vector<double> bound_heading;  // rad, mean absolute
   std::vector<double> nees;
   int not_localised = 0;  // samples after settling
   int without_pose = 0;   // samples
@@ -30,11 +31,13 @@ struct CaseResult {
   LocalisationCase the_case;
   int trials = 0;
   LiveTotals with_encoders;
-  std::optional<LiveTotals> without_encoders;
+  std::optional<LiveTotals> free_sampled;    // without encoders, at 50 Hz
+  std::optional<LiveTotals> free_published;  // the same when ROBOT_POSE is sent
   std::vector<PaperError> paper;
   std::vector<double> delay_errors;  // s, absolute, at the end of each run
   double delay_bound = 0.0;          // s, mean standard deviation
-  RunPicture picture;                // of the first run
+  std::vector<std::int64_t> diverged_seeds;
+  RunPicture picture;  // of the first run
 
   void add(const TrialResult& trial);
 };

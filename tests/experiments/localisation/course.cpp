@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "services/simulator/random.hpp"
+#include "tests/experiments/localisation/field_box.hpp"
 
 namespace markservo::experiments {
 namespace {
@@ -48,22 +50,8 @@ CoursePlan run_through(const Eigen::Vector2d& entry, double heading, double way,
   return plan;
 }
 
-struct Box {
-  Eigen::Vector2d least;
-  Eigen::Vector2d greatest;
-};
-
-Box box_of(const robot::TagField& field) {
-  Box box{field.tags.front().p_W, field.tags.front().p_W};
-  for (const auto& tag : field.tags) {
-    box.least = box.least.cwiseMin(tag.p_W);
-    box.greatest = box.greatest.cwiseMax(tag.p_W);
-  }
-  return box;
-}
-
 // Where a line through `p` enters (first) and leaves the box, as ways along `heading`.
-std::pair<double, double> crossing(const Box& box, const Eigen::Vector2d& p, double heading) {
+std::pair<double, double> crossing(const FieldBox& box, const Eigen::Vector2d& p, double heading) {
   const Eigen::Vector2d along = direction(heading);
   double enter = -1e9;
   double leave = 1e9;
@@ -77,23 +65,23 @@ std::pair<double, double> crossing(const Box& box, const Eigen::Vector2d& p, dou
 }
 
 // 4 m over the hall, in at one side at full speed.
-CoursePlan across_the_hall(const Box& box, double speed, RandomBits& bits) {
-  const Eigen::Vector2d middle = 0.5 * (box.least + box.greatest);
+CoursePlan across_the_hall(const FieldBox& box, double speed, RandomBits& bits) {
+  const Eigen::Vector2d middle = box.middle();
   while (true) {
     const double heading = uniform(bits, -M_PI, M_PI);
     const Eigen::Vector2d p = middle + uniform(bits, -1.0, 1.0) * direction(heading + M_PI / 2.0);
     const auto [enter, leave] = crossing(box, p, heading);
     // A spacing that does not divide 4 m leaves a field a little narrower.
-    const double way = std::min(kHallWay, 0.99 * (box.greatest - box.least).minCoeff());
+    const double way = std::min(kHallWay, 0.99 * box.size().minCoeff());
     if (leave - enter < way) continue;
     return run_through(p + enter * direction(heading), heading, way, speed);
   }
 }
 
-CoursePlan stop_and_go(const Box& box, RandomBits& bits) {
+CoursePlan stop_and_go(const FieldBox& box, RandomBits& bits) {
   CoursePlan plan;
   const double heading = uniform(bits, -M_PI, M_PI);
-  const Eigen::Vector2d middle = 0.5 * (box.least + box.greatest);
+  const Eigen::Vector2d middle = box.middle();
   const Eigen::Vector2d aside = uniform(bits, -0.3, 0.3) * direction(heading + M_PI / 2.0);
   plan.start = pose_at(middle + aside - 1.6 * direction(heading), heading);
   plan.speeds = {{0.0, 0.4}, {2.0, 0.0}, {3.5, 0.5}, {5.5, 0.15}, {7.0, 0.5}, {8.5, 0.0}};
@@ -147,10 +135,10 @@ class CourseControl {
 
 CoursePlan plan_course(const LocalisationCase& the_case, const robot::TagField& field, std::uint64_t seed) {
   RandomBits bits(simulator::seed_for(seed, kPlanStream, 0));
-  const Box box = box_of(field);
+  const FieldBox box = field_box(field);
   const double speed = the_case.speed;
-  const double length = box.greatest.y() - box.least.y();
-  const double width = box.greatest.x() - box.least.x();
+  const double length = box.size().y();
+  const double width = box.size().x();
   // Between the columns as well as over one: half a spacing of the paper's field to either side.
   const double aside = uniform(bits, -0.05, 0.05);
   switch (the_case.kind) {
@@ -183,7 +171,7 @@ CoursePlan plan_course(const LocalisationCase& the_case, const robot::TagField& 
       CoursePlan plan;
       plan.radius = 0.8;
       const double angle = uniform(bits, -M_PI, M_PI);
-      const Eigen::Vector2d middle = 0.5 * (box.least + box.greatest);
+      const Eigen::Vector2d middle = box.middle();
       plan.start = pose_at(middle + Eigen::Vector2d(aside, aside) + plan.radius * direction(angle), angle + M_PI / 2.0);
       plan.speeds = {{0.0, speed}};
       plan.duration = plan.scored_to = 2.0 * M_PI * plan.radius / speed + 1.0;

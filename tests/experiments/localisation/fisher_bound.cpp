@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace markservo::experiments {
@@ -11,22 +12,26 @@ namespace {
 // At 1 m/s a step is 2 cm: what turns and drifts within it is far below what the bound is rounded to.
 constexpr double kLongestStep = 0.02;  // s
 
-// Both states begin with x, y, heading, delay.
+// State with encoders: x, y, heading, delay, scale.
 constexpr int kScale = 4;
-constexpr int kSpeed = 4;
-constexpr int kTurnRate = 5;
+// State without: x, y, velocity x, velocity y, delay.
+constexpr int kVelocity = 2;
+constexpr int kFreeDelay = 4;
+// The heading of a base that is slower than this is not that of its velocity.
+constexpr double kLeastSpeed = 0.01;  // m/s
+
+using Covariance = Eigen::Matrix<double, 5, 5>;
 
 // The motion's derivatives by the state, and the noise it adds, over one step of the true path.
-template <int n>
 struct Step {
-  Eigen::Matrix<double, n, n> transition = Eigen::Matrix<double, n, n>::Identity();
-  Eigen::Matrix<double, n, n> noise = Eigen::Matrix<double, n, n>::Zero();
+  Covariance transition = Covariance::Identity();
+  Covariance noise = Covariance::Zero();
 };
 
-Step<5> step(const PathPoint& from, const PathPoint& to, const EncoderNoise& noise) {
+Step step(const PathPoint& from, const PathPoint& to, const EncoderNoise& noise) {
   const Eigen::Vector2d way = to.p_WR - from.p_WR;
   const double length = way.norm();
-  Step<5> result;
+  Step result;
   result.transition(0, 2) = -way.y();
   result.transition(1, 2) = way.x();
   result.transition.block<2, 1>(0, kScale) = way;
@@ -38,50 +43,67 @@ Step<5> step(const PathPoint& from, const PathPoint& to, const EncoderNoise& noi
   return result;
 }
 
-Step<6> step(const PathPoint& from, const PathPoint& to, const FreeMotion& motion) {
-  const Eigen::Vector2d way = to.p_WR - from.p_WR;
+Step step(const PathPoint& from, const PathPoint& to, const FreeMotion& motion) {
   const double dt = to.time - from.time;
-  const double heading = 0.5 * (from.heading + to.heading);
-  const Eigen::Vector2d along(std::cos(heading), std::sin(heading));
-  Step<6> result;
-  result.transition(0, 2) = -way.y();
-  result.transition(1, 2) = way.x();
-  result.transition.block<2, 1>(0, kSpeed) = dt * along;
-  result.transition(0, kTurnRate) = -way.y() * 0.5 * dt;
-  result.transition(1, kTurnRate) = way.x() * 0.5 * dt;
-  result.transition(2, kTurnRate) = dt;
   const double q = motion.acceleration * motion.acceleration;
-  result.noise.topLeftCorner<2, 2>() = q * dt * dt * dt / 3.0 * along * along.transpose();
-  result.noise.block<2, 1>(0, kSpeed) = q * dt * dt / 2.0 * along;
-  result.noise.block<1, 2>(kSpeed, 0) = q * dt * dt / 2.0 * along.transpose();
-  result.noise(kSpeed, kSpeed) = q * dt;
-  const double q_turn = motion.turn_acceleration * motion.turn_acceleration;
-  result.noise(2, 2) = q_turn * dt * dt * dt / 3.0;
-  result.noise(2, kTurnRate) = result.noise(kTurnRate, 2) = q_turn * dt * dt / 2.0;
-  result.noise(kTurnRate, kTurnRate) = q_turn * dt;
+  Step result;
+  for (const int axis : {0, 1}) {
+    const int velocity = kVelocity + axis;
+    result.transition(axis, velocity) = dt;
+    result.noise(axis, axis) = q * dt * dt * dt / 3.0;
+    result.noise(axis, velocity) = result.noise(velocity, axis) = q * dt * dt / 2.0;
+    result.noise(velocity, velocity) = q * dt;
+  }
   return result;
 }
 
-template <int n, class Motion>
-void move_on(Eigen::Matrix<double, n, n>& covariance, const TruePath& path, double from, double to,
-             const Motion& motion) {
+// (x, y, heading, delay) by the state.
+using PoseOfState = Eigen::Matrix<double, 4, 5>;
+
+PoseOfState pose_of_state(const PathPoint&, const EncoderNoise&) {
+  return PoseOfState::Identity();
+}
+
+PoseOfState pose_of_state(const PathPoint& truth, const FreeMotion&) {
+  PoseOfState pose = PoseOfState::Zero();
+  pose(0, 0) = pose(1, 1) = pose(3, kFreeDelay) = 1.0;
+  if (truth.speed > kLeastSpeed) {
+    pose(2, kVelocity) = -std::sin(truth.heading) / truth.speed;
+    pose(2, kVelocity + 1) = std::cos(truth.heading) / truth.speed;
+  }
+  return pose;
+}
+
+Covariance first_covariance(const BoundPrior& prior, const EncoderNoise& noise) {
+  Covariance covariance = Covariance::Zero();
+  covariance.diagonal() << prior.position_variance, prior.heading_variance, prior.delay_variance,
+      noise.scale_sigma * noise.scale_sigma;
+  return covariance;
+}
+
+Covariance first_covariance(const BoundPrior& prior, const FreeMotion& motion) {
+  Covariance covariance = Covariance::Zero();
+  const double speed_variance = motion.speed_sigma * motion.speed_sigma;
+  covariance.diagonal() << prior.position_variance, speed_variance, speed_variance, prior.delay_variance;
+  return covariance;
+}
+
+template <class Motion>
+void move_on(Covariance& covariance, const TruePath& path, double from, double to, const Motion& motion) {
   const int steps = static_cast<int>(std::ceil((to - from) / kLongestStep));
   PathPoint before = path.at(from);
   for (int i = 1; i <= steps; ++i) {
     const PathPoint after = path.at(from + (to - from) * i / steps);
-    const auto moved = step(before, after, motion);
+    const Step moved = step(before, after, motion);
     covariance = moved.transition * covariance * moved.transition.transpose() + moved.noise;
     before = after;
   }
 }
 
-template <int n>
-void learn(Eigen::Matrix<double, n, n>& covariance, const ReadInformation& read) {
-  using Matrix = Eigen::Matrix<double, n, n>;
-  Matrix information = Matrix::Zero();
-  information.template topLeftCorner<4, 4>() = read;
+void learn(Covariance& covariance, const ReadInformation& read, const PoseOfState& pose) {
+  const Covariance information = pose.transpose() * read * pose;
   // (P^-1 + J)^-1 without P's inverse: a scale or delay that is known for certain makes P singular.
-  const Matrix gain = (Matrix::Identity() + covariance * information).inverse();
+  const Covariance gain = (Covariance::Identity() + covariance * information).inverse();
   covariance = gain * covariance;
   covariance = (0.5 * (covariance + covariance.transpose())).eval();
 }
@@ -104,25 +126,25 @@ void check(const BoundInput& input) {
   }
 }
 
-template <int n, class Motion>
-std::vector<Eigen::Matrix4d> recursion(const BoundInput& input, const TruePath& path, const Motion& motion,
-                                       Eigen::Matrix<double, n, n> covariance) {
+template <class Motion>
+std::vector<Eigen::Matrix4d> recursion(const BoundInput& input, const TruePath& path, const Motion& motion) {
   check(input);
-  covariance.template topLeftCorner<4, 4>().diagonal() << input.prior.position_variance, input.prior.heading_variance,
-      input.prior.delay_variance;
+  Covariance covariance = first_covariance(input.prior, motion);
   std::vector<Eigen::Matrix4d> bounds;
   bounds.reserve(input.times.size());
   std::size_t next = 0;  // round that has not been learnt from
   double middle = input.rounds.front().middle;
   for (const double time : input.times) {
     for (; next < input.rounds.size() && input.rounds[next].arrival <= time; ++next) {
-      move_on<n>(covariance, path, middle, input.rounds[next].middle, motion);
+      move_on(covariance, path, middle, input.rounds[next].middle, motion);
       middle = input.rounds[next].middle;
-      learn<n>(covariance, read_information(input.reader, path, middle));
+      learn(covariance, read_information(input.reader, path, middle), pose_of_state(path.at(middle), motion));
     }
-    Eigen::Matrix<double, n, n> live = covariance;
-    move_on<n>(live, path, middle, time, motion);
-    bounds.push_back(live.template topLeftCorner<4, 4>());
+    Covariance live = covariance;
+    move_on(live, path, middle, time, motion);
+    const PoseOfState pose = pose_of_state(path.at(time), motion);
+    bounds.push_back(pose * live * pose.transpose());
+    if (pose.row(2).isZero()) bounds.back()(2, 2) = std::numeric_limits<double>::infinity();
   }
   return bounds;
 }
@@ -130,16 +152,11 @@ std::vector<Eigen::Matrix4d> recursion(const BoundInput& input, const TruePath& 
 }  // namespace
 
 std::vector<Eigen::Matrix4d> live_bound(const BoundInput& input, const TruePath& path, const EncoderNoise& noise) {
-  Eigen::Matrix<double, 5, 5> covariance = Eigen::Matrix<double, 5, 5>::Zero();
-  covariance(kScale, kScale) = noise.scale_sigma * noise.scale_sigma;
-  return recursion<5>(input, path, noise, covariance);
+  return recursion(input, path, noise);
 }
 
 std::vector<Eigen::Matrix4d> live_bound(const BoundInput& input, const TruePath& path, const FreeMotion& motion) {
-  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
-  covariance(kSpeed, kSpeed) = motion.speed_variance;
-  covariance(kTurnRate, kTurnRate) = motion.turn_rate_variance;
-  return recursion<6>(input, path, motion, covariance);
+  return recursion(input, path, motion);
 }
 
 }  // namespace markservo::experiments

@@ -31,12 +31,10 @@ struct EncoderNoise {
   double along = 0.0;                         // m/sqrt(m): drift * track / 2 of two wheels that err on their own
 };
 
-// How a base without encoders may move: accelerations as white noise, speeds unknown at first.
+// How a base without encoders may move: its velocity drifts by white acceleration, and is unknown at first.
 struct FreeMotion {
-  double acceleration = 0.3;                      // m/s^1.5
-  double turn_acceleration = 0.6;                 // rad/s^1.5
-  double speed_variance = 1.2 * 1.2 / 3.0;        // m^2/s^2: anything up to the base's 1.2 m/s
-  double turn_rate_variance = M_PI * M_PI / 3.0;  // rad^2/s^2: up to 180 degrees a second
+  double acceleration = 0.02;  // m/s^1.5, each axis: cruising, the quietest motion that rfid-localizer expects
+  double speed_sigma = 0.5;    // m/s, each axis of the velocity at first
 };
 
 struct BoundInput {
@@ -51,7 +49,8 @@ struct BoundInput {
 // std::invalid_argument if rounds or times are not as BoundInput says.
 std::vector<Eigen::Matrix4d> live_bound(const BoundInput& input, const TruePath& path, const EncoderNoise& noise);
 
-// The same without encoders. State: pose, delay, speed, turn rate.
+// The same without encoders. State: place, velocity, delay; the heading is the velocity's, and its variance infinite
+// while the base stands.
 std::vector<Eigen::Matrix4d> live_bound(const BoundInput& input, const TruePath& path, const FreeMotion& motion);
 
 }  // namespace markservo::experiments

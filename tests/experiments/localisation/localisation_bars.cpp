@@ -55,8 +55,8 @@ std::vector<Verdict> verdicts(const CaseResult& result, std::optional<double> ha
   lengths("mean error, settled", bars.settled_mean, mean(ours.settled));
   lengths("mean error, all", bars.all_mean, mean(ours.all));
   if (bars.free_mean) {
-    lengths("mean error without encoders, settled", bars.free_mean,
-            result.without_encoders ? mean(result.without_encoders->settled) : NAN);
+    lengths("mean error without encoders at 50 Hz", bars.free_mean,
+            result.free_sampled ? mean(result.free_sampled->settled) : NAN);
   }
   if (bars.bound_ratio) list.push_back(at_most("ours over the bound", ours.bound_ratio(), *bars.bound_ratio, ""));
   if (bars.hall_ratio && hall_mean) {

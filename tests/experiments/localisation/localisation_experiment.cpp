@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
   using namespace markservo::experiments;
   std::vector<std::string> names;
   return run_experiment(
-      "The robot's pose from floor tags and encoders: ours, the paper's method and the Fisher bound", 20, argc, argv,
+      "The robot's pose from floor tags and encoders: ours, the paper's method and the Fisher bound", 50, argc, argv,
       [&names](const ExperimentOptions& options) { return experiment(options, names); },
       [&names](void* app) {
         static_cast<CLI::App*>(app)->add_option("--case", names, "One case, by name; may be repeated; default: all");

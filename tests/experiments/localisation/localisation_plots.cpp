@@ -89,6 +89,7 @@ void plot_plan(const CaseResult& result, const std::string& folder) {
                            block("truth", run.truth, [](const auto& point) { return point.p_WR; }) +
                            block("measured", run.reads, [](const auto& read) { return read.measured; }) +
                            block("ours", run.estimates, [](const auto& pose) { return pose.p_WR; });
+  const std::string tics = size.maxCoeff() > 2.0 ? "50" : "20";
   const auto range = [&](int axis) {
     return "[" + std::to_string(kCentimetres * least[axis]) + ":" + std::to_string(kCentimetres * greatest[axis]) + "]";
   };
@@ -97,7 +98,7 @@ void plot_plan(const CaseResult& result, const std::string& folder) {
            std::to_string(static_cast<int>(size.y() * scale) + 120) +
            " font 'Sans,12' background 'white'\nset output '" + path_of(result, folder, "-plan.svg") +
            "'\nset title '" + result.the_case.course + " from above'\nset size ratio -1\nset xrange " + range(0) +
-           "\nset yrange " + range(1) +
+           "\nset yrange " + range(1) + "\nset xtics " + tics + "\nset ytics " + tics +
            "\nset xlabel 'x, cm'\nset ylabel 'y, cm'\nset key outside right\n"
            "plot $tags with points pt 4 ps 0.6 lc '#aaaaaa' title 'tags', "
            "$truth with lines lw 2 lc 'black' title 'true way', "

@@ -62,6 +62,7 @@ Json live_json(const LiveTotals& totals) {
   json["all_mean_m"] = number(mean(totals.all));
   json["all_bound_m"] = number(mean(totals.bound_all));
   json["heading_mean_rad"] = number(mean(totals.heading));
+  json["heading_bound_rad"] = number(mean(totals.bound_heading));
   json["nees"] = number(mean(totals.nees));
   json["not_localised_share"] = number(totals.not_localised_share());
   json["diverged"] = totals.diverged;
@@ -81,37 +82,55 @@ std::string group(const std::array<double, 3>& values) {
   return text;
 }
 
+void print_without_encoders(const std::vector<CaseResult>& results) {
+  bool titled = false;
+  for (const CaseResult& result : results) {
+    if (!result.free_sampled) continue;
+    if (!titled) {
+      std::printf(
+          "\nWithout encoders, cm: ours / bound of steady motion\n%-21s  %-31s  %-31s\n%-21s  %-15s %-15s  %s\n", "",
+          "sent once a round", "moved on to 50 Hz", "case", "settled", "all", "settled         all");
+      titled = true;
+    }
+    std::printf("%-21s", result.the_case.name.c_str());
+    for (const LiveTotals* totals : {&*result.free_published, &*result.free_sampled}) {
+      std::printf("  %5.2f / %5.2f   %5.2f / %5.2f ", kCentimetres * mean(totals->settled),
+                  kCentimetres * mean(totals->bound_settled), kCentimetres * mean(totals->all),
+                  kCentimetres * mean(totals->bound_all));
+    }
+    std::printf("\n");
+  }
+}
+
 }  // namespace
 
 void print_cases(const std::vector<CaseResult>& results) {
   std::printf(
-      "\nRadial error of the live pose at 50 Hz, mean in cm, after settling (1 s from the first read; static: 5 s) and "
-      "from the first read on\n%-21s %5s | %5s %5s %5s %5s | %5s %5s | %5s %5s %5s | %7s %5s %7s %8s\n",
-      "case", "runs", "ours", "bound", "ratio", "p99", "all", "bound", "no", "enc.", "ratio", "heading", "NEES", "not",
-      "diverged");
-  std::printf("%-21s %5s | %5s %5s %5s %5s | %5s %5s | %5s %5s %5s | %7s %5s %7s %8s\n", "", "", "", "", "", "", "", "",
-              "ours", "bound", "", "deg", "", "local.", "");
+      "\nRadial error of the live pose, mean, cm: ours / Fisher bound. Settled: 1 s after the first read, static 5 s; "
+      "all: from the first read on.\n%-21s %4s  %-19s %5s  %-13s  %-12s %5s %6s %4s\n",
+      "case", "runs", "settled: ratio", "p99", "all", "heading, deg", "NEES", "unsure", "div.");
   for (const CaseResult& result : results) {
     const LiveTotals& ours = result.with_encoders;
-    std::printf("%-21s %5d | %5.2f %5.2f %5.2f %5.2f | %5.2f %5.2f | ", result.the_case.name.c_str(), result.trials,
+    std::printf("%-21s %4d  %5.2f / %5.2f: %4.2f %5.2f  %5.2f / %5.2f  ", result.the_case.name.c_str(), result.trials,
                 kCentimetres * mean(ours.settled), kCentimetres * mean(ours.bound_settled), ours.bound_ratio(),
                 kCentimetres * percentile(ours.settled, 0.99), kCentimetres * mean(ours.all),
                 kCentimetres * mean(ours.bound_all));
-    if (result.without_encoders) {
-      const LiveTotals& free = *result.without_encoders;
-      std::printf("%5.2f %5.2f %5.2f | ", kCentimetres * mean(free.settled), kCentimetres * mean(free.bound_settled),
-                  free.bound_ratio());
-    } else {
-      std::printf("%5s %5s %5s | ", "-", "-", "-");
-    }
     if (ours.heading.empty()) {
-      std::printf("%7s ", "-");
+      std::printf("%-12s ", "     -");
     } else {
-      std::printf("%7.2f ", kDegrees * mean(ours.heading));
+      std::printf("%5.2f / %4.2f ", kDegrees * mean(ours.heading), kDegrees * mean(ours.bound_heading));
     }
-    std::printf("%5.2f %6.1f%% %8d\n", mean(ours.nees), 100.0 * ours.not_localised_share(), ours.diverged);
+    std::printf("%5.2f %5.1f%% %4d\n", mean(ours.nees), 100.0 * ours.not_localised_share(), ours.diverged);
   }
+  std::printf("unsure: samples not LOCALISED; div.: runs with %d samples in a row above %.0f cm, settled\n",
+              LiveScoreParameters{}.diverged_samples, kCentimetres * LiveScoreParameters{}.diverged_error);
+  print_without_encoders(results);
   for (const CaseResult& result : results) {
+    if (!result.diverged_seeds.empty()) {
+      std::printf("%s diverged with seeds", result.the_case.name.c_str());
+      for (const std::int64_t seed : result.diverged_seeds) std::printf(" %lld", static_cast<long long>(seed));
+      std::printf("\n");
+    }
     if (!result.the_case.delay_sigma) continue;
     std::printf(
         "%s: error of the delay at the end %.1f ms mean, %.1f ms at most; bound on its standard deviation %.1f ms\n",
@@ -189,7 +208,8 @@ void write_localisation_json(const std::vector<CaseResult>& results, const std::
          {"compensated", paper_json(result, PaperValue::kCompensated)},
          {"fused_at_reads", paper_json(result, PaperValue::kFused)},
          {"fused", live_json(ours)},
-         {"fused_without_encoders", result.without_encoders ? live_json(*result.without_encoders) : Json(nullptr)},
+         {"fused_without_encoders", result.free_published ? live_json(*result.free_published) : Json(nullptr)},
+         {"fused_without_encoders_at_50_Hz", result.free_sampled ? live_json(*result.free_sampled) : Json(nullptr)},
          {"heading_mean_rad", number(mean(ours.heading))},
          {"nees", number(mean(ours.nees))},
          {"delay_error_s", number(mean(result.delay_errors))},

@@ -30,12 +30,15 @@ std::string robot_text(const std::string& robot_file, const RobotVariant& varian
   try {
     YAML::Node robot = YAML::LoadFile(robot_file);
     YAML::Node rfid = robot["rfid"];
-    if (!rfid || !robot["floor_tags"]) {
-      throw ConfigurationError(robot_file + ": has no rfid or no floor_tags; the experiment needs both");
+    if (!rfid || !robot["floor_tags"] || !robot["base"]) {
+      throw ConfigurationError(robot_file + ": has no base, rfid or floor_tags; the experiment needs all three");
     }
     if (variant.reading_radius) rfid["reading_radius"] = *variant.reading_radius;
     if (variant.edge_softness) rfid["edge_softness"] = *variant.edge_softness;
     if (variant.round_time) rfid["round_time"] = *variant.round_time;
+    YAML::Node odometry = robot["base"]["odometry"];
+    if (variant.scale_sigma) odometry["scale_sigma"] = *variant.scale_sigma;
+    if (variant.drift_deg) odometry["drift_deg_per_sqrt_m"] = *variant.drift_deg;
     if (variant.spacing) space_hall(robot["floor_tags"]["fields"], *variant.spacing);
     return YAML::Dump(robot) + "\n";
   } catch (const YAML::Exception& error) {

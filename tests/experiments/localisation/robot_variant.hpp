@@ -11,8 +11,12 @@ struct RobotVariant {
   std::optional<double> reading_radius;  // m
   std::optional<double> edge_softness;   // m
   std::optional<double> round_time;      // s
+  std::optional<double> scale_sigma;     // of the encoders
+  std::optional<double> drift_deg;       // per sqrt(m), of the encoders
 
-  bool none() const { return !spacing && !reading_radius && !edge_softness && !round_time; }
+  bool none() const {
+    return !spacing && !reading_radius && !edge_softness && !round_time && !scale_sigma && !drift_deg;
+  }
 };
 
 // The text of `robot_file` with the variant's values in place of its own.

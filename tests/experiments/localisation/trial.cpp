@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 
 #include "services/simulator/random.hpp"
-#include "tests/experiments/child_process.hpp"
-#include "tests/experiments/experiment.hpp"
-#include "tests/experiments/localisation/course.hpp"
+#include "tests/experiments/localisation/field_box.hpp"
 #include "tests/experiments/localisation/fisher_bound.hpp"
 #include "tests/experiments/localisation/gaussian_radius.hpp"
-#include "tests/experiments/localisation/run_log.hpp"
+#include "tests/experiments/localisation/localizer_run.hpp"
 
 namespace markservo::experiments {
 namespace {
@@ -24,51 +23,12 @@ constexpr double kGreatestDelay = 0.25;                    // s
 constexpr double kSameTime = 1e-7;                         // s: times are whole microseconds
 constexpr double kFieldMargin = 1e-3;                      // m: one who starts on the field's edge is on the field
 
-// What the localizer is told besides robot.yaml.
-struct Told {
-  std::optional<double> start_heading;  // rad, to kStartHeadingSigma
-  std::optional<double> scale_sigma;
-  std::optional<double> delay_sigma;  // s
-};
-
-std::vector<std::string> words(const Told& told) {
-  std::vector<std::string> result;
-  const auto add = [&result](const std::string& option, double value) {
-    result.push_back(option);
-    result.push_back(std::to_string(value));
-  };
-  constexpr double kDegrees = 180.0 / M_PI;
-  if (told.start_heading) {
-    add("--start-heading", wrapped(*told.start_heading) * kDegrees);
-    add("--start-heading-sigma", kStartHeadingSigma * kDegrees);
-  }
-  if (told.scale_sigma) add("--scale-sigma", *told.scale_sigma);
-  if (told.delay_sigma) add("--delay-sigma", *told.delay_sigma);
-  return result;
-}
-
-PoseEstimate estimate(const RobotPose& message) {
-  PoseEstimate result;
-  result.time = seconds(message.utime);
-  result.p_WR = {message.pose.x, message.pose.y};
-  result.heading = message.pose.heading;
-  const auto& P = message.covariance;
-  result.covariance << P.xx, P.xy, P.xh, P.xy, P.yy, P.yh, P.xh, P.yh, P.hh;
-  result.speed = message.speed;
-  result.turn_rate = message.turn_rate;
-  result.localised = message.state == RobotPose::LOCALISED;
-  return result;
-}
-
-struct Localised {
-  std::vector<RobotPose> messages;
-  std::vector<PoseEstimate> estimates;
-};
-
-// The scored part of a run.
+// The samples of a run that are scored.
 struct Window {
-  std::vector<double> times;  // s, of the truth's samples
+  std::vector<double> times;  // s
   double settled_from = 0.0;  // s
+
+  bool holds(double time) const { return time >= times.front() && time <= times.back(); }
 };
 
 class Trial {
@@ -79,23 +39,23 @@ class Trial {
         robot_(robot),
         files_(files),
         seed_(static_cast<std::uint64_t>(seed)),
-        field_(robot.floor_tags->field(the_case.rig.tag_field)),
-        plan_(plan_course(the_case, field_, seed_)),
-        name_(the_case.name + "-" + std::to_string(seed)) {
-    for (const auto& tag : field_.tags) tags_.push_back(tag.p_W);
+        name_(the_case.name + "-" + std::to_string(seed)),
+        box_(field_box(field())),
+        plan_(plan_course(the_case, field(), seed_)),
+        delay_(robot.rfid->delay) {
     simulator::BaseRigParameters rig = the_case.rig;
-    delay_ = robot.rfid->delay;
+    rig.base.scale_sigma = robot.base->scale_sigma;
+    rig.base.drift = robot.base->drift;
     if (the_case.delay_sigma) {
       simulator::RandomBits bits(simulator::seed_for(seed_, kDelayStream, 0));
       delay_ = kLeastDelay + (kGreatestDelay - kLeastDelay) * bits.uniform();
       told_.delay_sigma = the_case.delay_sigma;
       rig.reader.delay = delay_;
     }
-    // Encoders of another quality are another robot, and its owner says so.
-    if (rig.base.scale_sigma != simulator::BaseModelParameters{}.scale_sigma) told_.scale_sigma = rig.base.scale_sigma;
     if (the_case.kind == CourseKind::kStraightStanding) {
       simulator::RandomBits bits(simulator::seed_for(seed_, kHeadingStream, 0));
       told_.start_heading = plan_.start.heading + kStartHeadingSigma * bits.gaussian();
+      told_.start_heading_sigma = kStartHeadingSigma;
     }
     drive_ = drive(robot, rig, plan_, seed_);
   }
@@ -104,41 +64,27 @@ class Trial {
     const TruePath path(drive_.truth);
     const Window window = scored(path);
     TrialResult result;
-    const Localised ours = localise(true);
-    const BoundInput input = bound_input(window);
-    const EncoderNoise noise = encoder_noise();
-    const auto bound = live_bound(input, path, noise);
-    result.with_encoders = bounded(score_live(ours.estimates, path, window.times, window.settled_from), bound, window);
+    result.seed = static_cast<std::int64_t>(seed_);
+    const Localised ours = localised(true);
+    const auto bound = live_bound(bound_input(window.times), path, encoder_noise());
+    result.with_encoders = bounded(ours, bound, path, window);
     result.delay_error = ours.messages.back().delay - delay_;
     result.delay_error_bound = std::sqrt(bound.back()(3, 3));
-    if (case_.without_encoders) {
-      const LiveScore live = score_live(localise(false).estimates, path, window.times, window.settled_from);
-      result.without_encoders = bounded(live, live_bound(input, path, FreeMotion{}), window);
-    }
-    const std::vector<PaperRead> reads = paper_reads(ours);
+    if (case_.without_encoders) result.without_encoders = free_score(path, window);
+    const std::vector<PaperRead> reads = paper_reads(ours, robot_.rfid->p_RF);
     result.paper = score_paper(reads, path, robot_.rfid->p_RF, window.times.front(), window.times.back());
     if (files_.keep_logs) result.picture = picture(ours, reads, result.paper, window);
     return result;
   }
 
  private:
+  const robot::TagField& field() const { return robot_.floor_tags->field(case_.rig.tag_field); }
+
   double first_read_arrival() const {
     for (const auto& round : drive_.rounds) {
       if (!round.hits.empty()) return seconds(round.utime);
     }
     throw std::runtime_error(name_ + ": no tag was read on the whole course");
-  }
-
-  bool over_field(const PathPoint& truth) const {
-    Eigen::Vector2d least = tags_.front();
-    Eigen::Vector2d greatest = tags_.front();
-    for (const auto& tag : tags_) {
-      least = least.cwiseMin(tag);
-      greatest = greatest.cwiseMax(tag);
-    }
-    const Eigen::Vector2d p_WF = truth.at(robot_.rfid->p_RF);
-    return (p_WF.array() >= least.array() - kFieldMargin).all() &&
-           (p_WF.array() <= greatest.array() + kFieldMargin).all();
   }
 
   Window scored(const TruePath& path) const {
@@ -147,63 +93,41 @@ class Trial {
     window.settled_from = begin + case_.settling;
     for (const PathPoint& point : path.points()) {
       if (point.time < begin - kSameTime || point.time > plan_.scored_to + kSameTime) continue;
-      if (over_field(point)) window.times.push_back(point.time);
+      if (box_.contains(point.at(robot_.rfid->p_RF), kFieldMargin)) window.times.push_back(point.time);
     }
     if (window.times.size() < 2 || window.times.back() < window.settled_from) {
-      throw std::runtime_error(name_ + ": the course ends before the first second after the first read");
+      throw std::runtime_error(name_ + ": the course ends before anything has settled");
     }
     return window;
   }
 
-  Localised localise(bool with_odometry) const {
-    const std::string base =
-        (std::filesystem::path(files_.folder) / (name_ + (with_odometry ? "" : "-without-encoders"))).string();
-    const std::string in = base + ".lcm";
-    const std::string out = base + "-poses.lcm";
-    const std::string log = base + ".log";
-    std::filesystem::remove(out);
-    write_log(drive_, with_odometry, in);
-    std::vector<std::string> command{sibling_executable("rfid-localizer"),
-                                     "--robot-file",
-                                     files_.robot_file,
-                                     "--tag-field",
-                                     field_.name,
-                                     "--lcm-in",
-                                     "file://" + in + "?speed=0",
-                                     "--lcm-out",
-                                     "file://" + out + "?mode=w"};
-    const auto more = words(told_);
-    command.insert(command.end(), more.begin(), more.end());
-    const int code = ChildProcess(command, log).wait();
-    if (code != 0)
-      throw std::runtime_error("rfid-localizer ended with exit code " + std::to_string(code) + ", see " + log);
-    Localised result;
-    result.messages = read_poses(out);
-    if (result.messages.empty()) throw std::runtime_error(out + ": holds no ROBOT_POSE");
-    for (const auto& message : result.messages) result.estimates.push_back(estimate(message));
-    if (!files_.keep_logs) {
-      for (const auto& file : {in, out, log}) std::filesystem::remove(file);
-    }
-    return result;
+  Localised localised(bool with_odometry) const {
+    LocalizerRun run;
+    run.robot_file = files_.robot_file;
+    run.tag_field = field().name;
+    run.files = (std::filesystem::path(files_.folder) / (name_ + (with_odometry ? "" : "-without-encoders"))).string();
+    run.with_odometry = with_odometry;
+    run.keep_files = files_.keep_logs;
+    run.told = told_;
+    return localise(drive_, run);
   }
 
-  BoundInput bound_input(const Window& window) const {
+  BoundInput bound_input(const std::vector<double>& times) const {
+    const robot::RfidDescription& rfid = *robot_.rfid;
     BoundInput input;
-    const auto& rfid = *robot_.rfid;
-    input.reader = {rfid.p_RF, rfid.reading_radius, rfid.edge_softness, rfid.read_probability, rfid.round_time, tags_};
+    input.reader.p_RF = rfid.p_RF;
+    input.reader.reading_radius = rfid.reading_radius;
+    input.reader.edge_softness = rfid.edge_softness;
+    input.reader.read_probability = rfid.read_probability;
+    input.reader.round_time = rfid.round_time;
+    for (const auto& tag : field().tags) input.reader.tags.push_back(tag.p_W);
     bool read = false;
     for (const auto& round : drive_.rounds) {
       read = read || !round.hits.empty();
       if (read) input.rounds.push_back({seconds(round.utime) - delay_, seconds(round.utime)});
     }
-    input.times = window.times;
-    Eigen::Vector2d least = tags_.front();
-    Eigen::Vector2d greatest = tags_.front();
-    for (const auto& tag : tags_) {
-      least = least.cwiseMin(tag);
-      greatest = greatest.cwiseMax(tag);
-    }
-    input.prior.position_variance = (greatest - least).cwiseAbs2() / 12.0;
+    input.times = times;
+    input.prior.position_variance = box_.size().cwiseAbs2() / 12.0;
     input.prior.heading_variance = told_.start_heading ? kStartHeadingSigma * kStartHeadingSigma : M_PI * M_PI / 3.0;
     input.prior.delay_variance = std::pow(told_.delay_sigma.value_or(rfid.delay_sigma), 2);
     return input;
@@ -211,59 +135,49 @@ class Trial {
 
   EncoderNoise encoder_noise() const {
     EncoderNoise noise;
-    noise.scale_sigma = case_.rig.base.scale_sigma;
-    noise.heading_drift = case_.rig.base.drift;
-    noise.along = 0.5 * case_.rig.base.drift * robot_.base->track;
+    noise.scale_sigma = robot_.base->scale_sigma;
+    noise.heading_drift = robot_.base->drift;
+    noise.along = 0.5 * robot_.base->drift * robot_.base->track;
     return noise;
   }
 
-  static BoundedScore bounded(const LiveScore& live, const std::vector<Eigen::Matrix4d>& bound, const Window& window) {
+  FreeScore free_score(const TruePath& path, const Window& window) const {
+    const Localised free = localised(false);
+    Window sent;
+    sent.settled_from = window.settled_from;
+    for (const PoseEstimate& pose : free.estimates) {
+      if (window.holds(pose.time)) sent.times.push_back(pose.time);
+    }
+    const auto score = [&](const Window& samples) {
+      return bounded(free, live_bound(bound_input(samples.times), path, FreeMotion{}), path, samples);
+    };
+    return {score(window), score(sent)};
+  }
+
+  static BoundedScore bounded(const Localised& localised, const std::vector<Eigen::Matrix4d>& bound,
+                              const TruePath& path, const Window& window) {
     BoundedScore score;
-    score.live = live;
+    score.live = score_live(localised.estimates, path, window.times, window.settled_from);
     for (std::size_t i = 0; i < bound.size(); ++i) {
       const double mean = mean_radial_error(bound[i].topLeftCorner<2, 2>());
       score.bound_all.push_back(mean);
-      if (window.times[i] >= window.settled_from - kSameTime) score.bound_settled.push_back(mean);
+      if (window.times[i] < window.settled_from - kSameTime) continue;
+      score.bound_settled.push_back(mean);
+      const bool driving = std::abs(path.at(window.times[i]).speed) >= LiveScoreParameters{}.driving_speed;
+      if (driving) score.bound_heading.push_back(std::sqrt(2.0 / M_PI * bound[i](2, 2)));
     }
     return score;
   }
 
-  std::vector<PaperRead> paper_reads(const Localised& ours) const {
-    std::vector<PaperRead> reads;
-    std::int64_t last = 0;
-    for (const auto& message : ours.messages) {
-      const PaperLocalisation& paper = message.paper;
-      if (paper.measured_known == 0 || paper.utime == last) continue;
-      last = paper.utime;
-      const double time = seconds(paper.utime);
-      const PoseEstimate* fused = newest(ours.estimates, time);
-      if (fused == nullptr) continue;
-      const PoseEstimate at_read = moved_on(*fused, time);
-      PathPoint robot;
-      robot.p_WR = at_read.p_WR;
-      robot.heading = at_read.heading;
-      reads.push_back({time,
-                       {paper.measured_x, paper.measured_y},
-                       {paper.compensated_x, paper.compensated_y},
-                       robot.at(robot_.rfid->p_RF)});
-    }
-    return reads;
-  }
-
   RunPicture picture(const Localised& ours, const std::vector<PaperRead>& reads, const std::vector<PaperError>& paper,
                      const Window& window) const {
-    const auto in_window = [&window](double time) {
-      return time >= window.times.front() && time <= window.times.back();
-    };
+    const auto scored = [&window](const auto& point) { return window.holds(point.time); };
     RunPicture result;
-    result.tags = tags_;
+    for (const auto& tag : field().tags) result.tags.push_back(tag.p_W);
     result.paper = paper;
-    std::copy_if(drive_.truth.begin(), drive_.truth.end(), std::back_inserter(result.truth),
-                 [&](const auto& point) { return in_window(point.time); });
-    std::copy_if(ours.estimates.begin(), ours.estimates.end(), std::back_inserter(result.estimates),
-                 [&](const auto& pose) { return in_window(pose.time); });
-    std::copy_if(reads.begin(), reads.end(), std::back_inserter(result.reads),
-                 [&](const auto& read) { return in_window(read.time); });
+    std::copy_if(drive_.truth.begin(), drive_.truth.end(), std::back_inserter(result.truth), scored);
+    std::copy_if(ours.estimates.begin(), ours.estimates.end(), std::back_inserter(result.estimates), scored);
+    std::copy_if(reads.begin(), reads.end(), std::back_inserter(result.reads), scored);
     return result;
   }
 
@@ -271,12 +185,11 @@ class Trial {
   const robot::RobotDescription& robot_;
   const TrialFiles& files_;
   std::uint64_t seed_;
-  const robot::TagField& field_;
-  CoursePlan plan_;
   std::string name_;
-  std::vector<Eigen::Vector2d> tags_;
+  FieldBox box_;
+  CoursePlan plan_;
+  double delay_;  // s, the true one
   Told told_;
-  double delay_ = 0.0;  // s, the true one
   Drive drive_;
 };
 

@@ -19,6 +19,7 @@ struct BoundedScore {
   LiveScore live;
   std::vector<double> bound_all;      // m, mean radial error of the bound's Gaussian
   std::vector<double> bound_settled;  // m
+  std::vector<double> bound_heading;  // rad, mean absolute error, while driving after settling
 };
 
 // What the pictures show of one run.
@@ -30,9 +31,16 @@ struct RunPicture {
   std::vector<PaperError> paper;
 };
 
+// Without encoders ROBOT_POSE comes once a round. A consumer moves it on at its own speed until the next one.
+struct FreeScore {
+  BoundedScore sampled;    // at the same 50 Hz as with encoders
+  BoundedScore published;  // when it is sent
+};
+
 struct TrialResult {
+  std::int64_t seed = 0;
   BoundedScore with_encoders;
-  std::optional<BoundedScore> without_encoders;
+  std::optional<FreeScore> without_encoders;
   std::vector<PaperError> paper;
   double delay_error = 0.0;        // s, at the end: told less true
   double delay_error_bound = 0.0;  // s, standard deviation

@@ -124,13 +124,25 @@ TEST(FisherBound, GrowsWithTheSpeedThatNobodyMeasures) {
   input.reader.tags = {{50.0, 50.0}};
   input.prior = BoundPrior{};
   FreeMotion motion;
-  motion.speed_variance = 0.01;
+  motion.speed_sigma = 0.1;
   motion.acceleration = 0.0;
   input.times = {2.0};
   EXPECT_NEAR(live_bound(input, path, motion).front()(0, 0), 0.01 * 4.0, 1e-9);
-  motion.speed_variance = 0.0;
+  motion.speed_sigma = 0.0;
   motion.acceleration = 0.3;
   EXPECT_NEAR(live_bound(input, path, motion).front()(0, 0), 0.09 * 8.0 / 3.0, 1e-9);
+}
+
+TEST(FisherBound, TakesTheHeadingFromTheVelocityWithoutEncoders) {
+  BoundInput input = rounds_from(0.0, 1);
+  input.reader.tags = {{50.0, 50.0}};
+  FreeMotion motion;
+  motion.speed_sigma = 0.04;
+  motion.acceleration = 0.0;
+  input.times = {1.0};
+  const TruePath moving = straight({-1.0, 0.0}, 0.5, 0.4, 10.0);
+  EXPECT_NEAR(std::sqrt(live_bound(input, moving, motion).front()(2, 2)), 0.1, 1e-9);
+  EXPECT_TRUE(std::isinf(live_bound(input, standing({0.0, 0.0}), motion).front()(2, 2)));
 }
 
 TEST(FisherBound, RefusesTimesBeforeTheFirstRound) {
