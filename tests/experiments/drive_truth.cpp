@@ -41,7 +41,7 @@ void DriveWatch::observe(int8_t phase) {
   const bool before = driving();
   phase_ = phase;
   if (driving() && !before) ++drives_;
-  if (before && !driving()) {
+  if (before && !driving() && !arrived_) {
     arrived_ = last_;
     told_error_arrived_ = told_error_;
   }

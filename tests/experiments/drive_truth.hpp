@@ -34,7 +34,7 @@ struct DriveResult {
   double moved_at_end = 0.0;  // m, when all should be at rest
   bool touched = false;       // the base ran into something
   double nearest = 0.0;       // m, least distance of the robot's outline to anything
-  PoseError error;            // true pose minus the goal's, after the last drive
+  PoseError error;            // true pose minus the goal's, after the first drive: a correction has another goal
   PoseError told_error;       // ROBOT_POSE minus the true pose, then
   double told_mean = 0.0;     // m, mean and maximum of that over all drives
   double told_max = 0.0;
@@ -69,7 +69,7 @@ class DriveWatch {
   std::optional<double> rest_since_way_;
   bool touched_ = false;
   std::optional<double> nearest_;
-  std::optional<SimBaseTruth> arrived_;  // when the last drive had ended
+  std::optional<SimBaseTruth> arrived_;  // when the first drive had ended
   PoseError told_error_, told_error_arrived_;
   std::vector<double> told_errors_;  // m, in drives
 };

@@ -72,12 +72,14 @@ TEST_F(Drive, is_measured_by_way_time_and_end) {
   EXPECT_TRUE(truly_driven(result));
 }
 
-TEST_F(Drive, counts_corrections_and_the_error_after_the_last) {
-  drive(0.05, 0.90);
-  drive(0.90, 1.05);
+TEST_F(Drive, is_judged_by_its_own_end_and_not_by_that_of_corrections) {
+  drive(0.05, 1.04);
+  drive(1.04, 1.25);
   const DriveResult result = watch_.result(goal_);
   EXPECT_EQ(result.drives, 2);
-  EXPECT_NEAR(result.error.position, 0.0, 1e-9);
+  EXPECT_NEAR(result.way, 1.20, 1e-9);
+  EXPECT_NEAR(result.error.position, 0.01, 1e-9);
+  EXPECT_TRUE(truly_driven(result));
 }
 
 TEST_F(Drive, that_ends_far_from_its_goal_is_none) {
