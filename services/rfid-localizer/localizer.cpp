@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "services/rfid-localizer/surprise.hpp"
+
 namespace markservo::rfid_localizer {
 namespace {
 
@@ -42,9 +44,9 @@ Localizer::Localizer(const robot::BaseDescription& base, const robot::RfidDescri
   wheel_motion_.set_heading(parameters.start_heading);
 }
 
-void Localizer::restart() {
+void Localizer::lose(const std::string& why) {
   mixture_.clear();
-  trust_.begin();
+  trust_.lose(why);
   // What was known of the heading at the start is past.
   wheel_motion_.set_heading(std::nullopt);
 }
@@ -61,7 +63,7 @@ void Localizer::observe(const EncoderReading& reading) {
     counters_.forget();
     last_round_.reset();
     paper_.restart();
-    restart();
+    lose("WHEEL_ODOMETRY began anew at an earlier time");
   }
   wheel_session_ = reading.session;
   const std::optional<WheelMotion> motion = counters_.motion(reading);
@@ -132,7 +134,6 @@ void Localizer::begin(const std::vector<int>& tags, const Window& window) {
   place.covariance = reach * reach * Eigen::Matrix2d::Identity();
   mixture_ = motion_->start(place, parameters_.delay);
   mixture_utime_ = window.middle;
-  trust_.begin();
 }
 
 void Localizer::observe(const TagRound& round) {
@@ -159,7 +160,7 @@ void Localizer::observe(const TagRound& round) {
     motion_->predict(mixture_, mixture_utime_, window.middle);
     mixture_utime_ = window.middle;
   }
-  if (match(tags, moments_read, round, window)) restart();
+  if (match(tags, moments_read, round, window)) lose("the reads contradict the pose");
 }
 
 bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optional<std::int64_t>>& moments_read,
@@ -182,13 +183,15 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
     }
   }
   if (reachable.empty() && !tags.empty()) {
-    return trust_.follow(Agreement::kContradicts, sigma);  // nothing to learn from a round from elsewhere
+    return trust_.follow(Agreement::kContradicts, 0.0, sigma);  // nothing to learn from a round from elsewhere
   }
 
   double evidence = 0.0;
+  double weights = 0.0;
   std::vector<int> near;
-  std::vector<double> inside;  // by `near` of all hypotheses
-  std::vector<int> learnt;
+  std::vector<int> learnt;     // `near` of all hypotheses
+  std::vector<double> inside;  // by that
+  std::vector<double> chances;
   Mixture updated;
   for (Hypothesis& one : mixture_) {
     const AntennaView view = motion_->antenna(one, window.middle, window.length);
@@ -222,6 +225,8 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
 
     const RoundMatch found =
         match_round(view.p_WF, S, outcomes, window_points(view.velocity * round_s), model_, parameters_.match);
+    const double before = one.weight;
+    weights += before;
     one.weight *= std::max(found.evidence * unexplained, 1e-300);
     evidence += one.weight;
     // What is jointly Gaussian with the place follows it.
@@ -243,8 +248,11 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
       if (at == learnt.end()) {
         learnt.push_back(near[k]);
         inside.push_back(one.weight * found.inside[k]);
+        chances.push_back(before * found.chance[k]);
       } else {
-        inside[static_cast<std::size_t>(at - learnt.begin())] += one.weight * found.inside[k];
+        const auto place = static_cast<std::size_t>(at - learnt.begin());
+        inside[place] += one.weight * found.inside[k];
+        chances[place] += before * found.chance[k];
       }
     }
   }
@@ -252,6 +260,8 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
     const bool read = std::find(reachable.begin(), reachable.end(), learnt[k]) != reachable.end();
     reliability_.learn(learnt[k], read, inside[k] / evidence);
   }
+  for (double& chance : chances) chance /= weights;
+  const double surprised = surprise(chances, std::log(evidence / weights), parameters_.match.false_read);
   motion_->clean(updated);
   mixture_ = std::move(updated);
 
@@ -260,7 +270,7 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
     agreement = evidence < parameters_.trust.unlikely ? Agreement::kContradicts : Agreement::kNothing;
   }
   const Hypothesis after = moments(mixture_, has_wheels() ? kHeading : -1);
-  return trust_.follow(agreement, larger_sigma(after.covariance.topLeftCorner<2, 2>()));
+  return trust_.follow(agreement, surprised, larger_sigma(after.covariance.topLeftCorner<2, 2>()));
 }
 
 Estimate Localizer::estimate(std::int64_t utime) const {

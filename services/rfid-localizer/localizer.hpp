@@ -95,7 +95,8 @@ class Localizer {
   void begin(const std::vector<int>& tags, const Window& window);
   bool match(const std::vector<int>& tags, const std::vector<std::optional<std::int64_t>>& moments,
              const TagRound& round, const Window& window);
-  void restart();
+  // Gives up what is believed of the place.
+  void lose(const std::string& why);
 
   robot::RfidDescription rfid_;
   LocalizerParameters parameters_;

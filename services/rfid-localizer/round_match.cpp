@@ -39,7 +39,8 @@ struct Product {
   Sums all;
   std::vector<Eigen::Vector2d> points;  // u of the grid
   std::vector<double> weights;          // prior times likelihood there
-  std::vector<double> inside;           // weighted sums, per outcome
+  std::vector<double> inside;           // sums weighted by those, per outcome
+  std::vector<double> reading;          // sums of the read probability weighted by the prior, per outcome
 };
 
 double footprint(const Eigen::Vector2d& p, const TagOutcome& tag, const std::vector<WindowPoint>& window,
@@ -56,6 +57,7 @@ Product multiply(const Ellipse& ellipse, const Grid& grid, const std::vector<Tag
                  const std::vector<WindowPoint>& window, const ReadModel& model, double false_read) {
   Product product;
   product.inside.assign(outcomes.size(), 0.0);
+  product.reading.assign(outcomes.size(), 0.0);
   std::vector<double> inside(outcomes.size());
   const Eigen::Vector2d step = 2.0 * grid.half / (grid.points - 1);
   for (int i = 0; i < grid.points; ++i) {
@@ -67,6 +69,7 @@ Product multiply(const Ellipse& ellipse, const Grid& grid, const std::vector<Tag
       for (std::size_t k = 0; k < outcomes.size(); ++k) {
         inside[k] = footprint(p, outcomes[k], window, model);
         const double reading = outcomes[k].reliability * inside[k];
+        product.reading[k] += prior * reading;
         likelihood *= outcomes[k].read ? reading + false_read : 1.0 - reading;
       }
       const double weight = prior * likelihood;
@@ -135,6 +138,8 @@ RoundMatch match_round(const Eigen::Vector2d& prior_mean, const Eigen::Matrix2d&
             std::clamp(wanted, parameters.least_points, parameters.most_points)};
   Product product = multiply(ellipse, grid, outcomes, window, model, parameters.false_read);
   RoundMatch match;
+  match.chance = product.reading;
+  for (double& chance : match.chance) chance /= product.prior;
   if (!(product.all.weight > 0.0)) {  // everything contradicts everything
     match.parts = {{1.0, prior_mean, prior_covariance}};
     match.inside.assign(outcomes.size(), 0.0);
