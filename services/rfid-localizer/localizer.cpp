@@ -136,6 +136,11 @@ void Localizer::begin(const std::vector<int>& tags, const Window& window) {
   mixture_utime_ = window.middle;
 }
 
+double Localizer::position_sigma() const {
+  const Hypothesis all = moments(mixture_, has_wheels() ? kHeading : -1);
+  return larger_sigma(all.covariance.topLeftCorner<2, 2>());
+}
+
 void Localizer::observe(const TagRound& round) {
   if (last_round_ && round.utime <= *last_round_) {
     ++faults_.late_rounds;
@@ -153,12 +158,14 @@ void Localizer::observe(const TagRound& round) {
   if (has_wheels()) speed = std::abs(history_.rate(window.middle, round.utime).way);
   if (auto paper = paper_.observe(round.utime, places, speed)) paper_estimate_ = paper;
 
+  if (!mixture_.empty() && window.middle > mixture_utime_) {
+    motion_->predict(mixture_, mixture_utime_, window.middle);
+    mixture_utime_ = window.middle;
+    if (position_sigma() > parameters_.hopeless_sigma) lose("too long without a tag of the map");
+  }
   if (mixture_.empty()) {
     if (tags.empty()) return;
     begin(tags, window);
-  } else if (window.middle > mixture_utime_) {
-    motion_->predict(mixture_, mixture_utime_, window.middle);
-    mixture_utime_ = window.middle;
   }
   if (match(tags, moments_read, round, window)) lose("the reads contradict the pose");
 }

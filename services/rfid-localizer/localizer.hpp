@@ -45,6 +45,7 @@ struct LocalizerParameters {
   TrustParameters trust;
   PaperParameters paper;
   double wheels_missing = 0.5;  // s without encoders, after which inertia has to do
+  double hopeless_sigma = 1.0;  // m, of the position: to begin anew at the next tag says more
 };
 
 // What was wrong with the inputs, counted since the start.
@@ -97,6 +98,7 @@ class Localizer {
              const TagRound& round, const Window& window);
   // Gives up what is believed of the place.
   void lose(const std::string& why);
+  double position_sigma() const;  // m, the larger axis
 
   robot::RfidDescription rfid_;
   LocalizerParameters parameters_;
