@@ -65,6 +65,14 @@ void Localizer::observe(const EncoderReading& reading) {
     paper_.restart();
     lose("WHEEL_ODOMETRY began anew at an earlier time");
   }
+  if (!mixture_.empty() && has_wheels()) {
+    // While no round comes the wheels' record would be forgotten before it is used.
+    const std::int64_t kept = std::min(reading.utime - WheelHistory::kKept_us, history_.newest());
+    if (kept > mixture_utime_) {
+      motion_->predict(mixture_, mixture_utime_, kept);
+      mixture_utime_ = kept;
+    }
+  }
   wheel_session_ = reading.session;
   const std::optional<WheelMotion> motion = counters_.motion(reading);
   faults_.tick_jumps = counters_.jumps();
