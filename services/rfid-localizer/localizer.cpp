@@ -119,7 +119,8 @@ void Localizer::choose_motion(std::int64_t utime) {
   if (!mixture_.empty()) {
     // The place stays known; how the robot moves is learnt anew.
     const Hypothesis all = moments(mixture_, has_wheels() ? kHeading : -1);
-    const Place place{all.mean.head<2>(), all.covariance.topLeftCorner<2, 2>()};
+    const AntennaView view = motion_->antenna(all, mixture_utime_, 0);
+    const Place place{view.p_WF, view.H * all.covariance * view.H.transpose()};
     const DelayPrior delay{all.mean[kDelay], std::sqrt(all.covariance(kDelay, kDelay))};
     mixture_ = wanted->start(place, delay);
   }
