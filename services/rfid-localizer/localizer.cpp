@@ -123,6 +123,7 @@ void Localizer::choose_motion(std::int64_t utime) {
     const Place place{view.p_WF, view.H * all.covariance * view.H.transpose()};
     const DelayPrior delay{all.mean[kDelay], std::sqrt(all.covariance(kDelay, kDelay))};
     mixture_ = wanted->start(place, delay);
+    if (wheels) wheel_motion_.set_heading(std::nullopt);
   }
   motion_ = wanted;
 }
@@ -143,6 +144,8 @@ void Localizer::begin(const std::vector<int>& tags, const Window& window) {
   place.covariance = reach * reach * Eigen::Matrix2d::Identity();
   mixture_ = motion_->start(place, parameters_.delay);
   mixture_utime_ = window.middle;
+  // Later, after turns, it is no longer the heading.
+  if (has_wheels()) wheel_motion_.set_heading(std::nullopt);
 }
 
 double Localizer::position_sigma() const {
