@@ -105,7 +105,9 @@ std::vector<int> Localizer::tags_of(const TagRound& round, std::vector<std::opti
       ++faults_.repeated_reads;
     } else {
       tags.push_back(*tag);
-      moments.push_back(round.window_known ? read.read_utime : std::nullopt);
+      const bool known = round.window_known && read.read_utime && *read.read_utime >= round.window_start &&
+                         *read.read_utime <= round.window_end;
+      moments.push_back(known ? read.read_utime : std::nullopt);
     }
   }
   return tags;
@@ -153,11 +155,25 @@ double Localizer::position_sigma() const {
   return larger_sigma(all.covariance.topLeftCorner<2, 2>());
 }
 
-void Localizer::observe(const TagRound& round) {
+void Localizer::require_possible(const TagRound& round) {
   if (last_round_ && round.utime <= *last_round_) {
     ++faults_.late_rounds;
     refuse_time("RFID_TAG_HITS", round.utime, *last_round_);
   }
+  if (!round.window_known) return;
+  constexpr std::int64_t kOldest = 5'000'000;  // us; robot.yaml's longest delay
+  const auto longest = static_cast<std::int64_t>(std::lround(3e6 * rfid_.round_time));
+  const std::int64_t length = round.window_end - round.window_start;
+  const std::int64_t age = round.utime - round.window_end;
+  if (length >= 0 && length <= longest && age >= 0 && age <= kOldest) return;
+  ++faults_.wrong_windows;
+  throw std::invalid_argument("RFID_TAG_HITS: window of " + std::to_string(length) + " us that ended " +
+                              std::to_string(age) + " us before utime; allowed: 0 to " + std::to_string(longest) +
+                              " us, 0 to " + std::to_string(kOldest) + " us before");
+}
+
+void Localizer::observe(const TagRound& round) {
+  require_possible(round);
   last_round_ = round.utime;
   choose_motion(round.utime);
 

@@ -55,6 +55,7 @@ struct LocalizerFaults {
   std::int64_t repeated_reads = 0;  // of one tag in one round
   std::int64_t late_rounds = 0;     // at or before the time of the last one
   std::int64_t late_odometry = 0;   // likewise
+  std::int64_t wrong_windows = 0;   // rounds said to have been when they cannot have been
   std::int64_t tick_jumps = 0;      // of the encoders' counters
 };
 
@@ -73,7 +74,8 @@ class Localizer {
   Localizer(const robot::BaseDescription& base, const robot::RfidDescription& rfid, const robot::TagField& field,
             const LocalizerParameters& parameters);
 
-  // Throw std::invalid_argument, change nothing but the count of faults, when time does not go on.
+  // Throw std::invalid_argument, change nothing but the count of faults, when time does not go on or a round's known
+  // window is impossible.
   void observe(const EncoderReading& reading);
   void observe(const TagRound& round);
 
@@ -98,6 +100,7 @@ class Localizer {
              const TagRound& round, const Window& window);
   // Gives up what is believed of the place.
   void lose(const std::string& why);
+  void require_possible(const TagRound& round);
   double position_sigma() const;  // m, the larger axis
 
   robot::RfidDescription rfid_;
