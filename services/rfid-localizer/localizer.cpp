@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "services/rfid-localizer/surprise.hpp"
+
 namespace markservo::rfid_localizer {
 namespace {
 
@@ -42,9 +44,9 @@ Localizer::Localizer(const robot::BaseDescription& base, const robot::RfidDescri
   wheel_motion_.set_heading(parameters.start_heading);
 }
 
-void Localizer::restart() {
+void Localizer::lose(const std::string& why) {
   mixture_.clear();
-  trust_.begin();
+  trust_.lose(why);
   // What was known of the heading at the start is past.
   wheel_motion_.set_heading(std::nullopt);
 }
@@ -61,7 +63,15 @@ void Localizer::observe(const EncoderReading& reading) {
     counters_.forget();
     last_round_.reset();
     paper_.restart();
-    restart();
+    lose("WHEEL_ODOMETRY began anew at an earlier time");
+  }
+  if (!mixture_.empty() && has_wheels()) {
+    // While no round comes the wheels' record would be forgotten before it is used.
+    const std::int64_t kept = std::min(reading.utime - WheelHistory::kKept_us, history_.newest());
+    if (kept > mixture_utime_) {
+      motion_->predict(mixture_, mixture_utime_, kept);
+      mixture_utime_ = kept;
+    }
   }
   wheel_session_ = reading.session;
   const std::optional<WheelMotion> motion = counters_.motion(reading);
@@ -95,7 +105,9 @@ std::vector<int> Localizer::tags_of(const TagRound& round, std::vector<std::opti
       ++faults_.repeated_reads;
     } else {
       tags.push_back(*tag);
-      moments.push_back(round.window_known ? read.read_utime : std::nullopt);
+      const bool known = round.window_known && read.read_utime && *read.read_utime >= round.window_start &&
+                         *read.read_utime <= round.window_end;
+      moments.push_back(known ? read.read_utime : std::nullopt);
     }
   }
   return tags;
@@ -109,9 +121,11 @@ void Localizer::choose_motion(std::int64_t utime) {
   if (!mixture_.empty()) {
     // The place stays known; how the robot moves is learnt anew.
     const Hypothesis all = moments(mixture_, has_wheels() ? kHeading : -1);
-    const Place place{all.mean.head<2>(), all.covariance.topLeftCorner<2, 2>()};
+    const AntennaView view = motion_->antenna(all, mixture_utime_, 0);
+    const Place place{view.p_WF, view.H * all.covariance * view.H.transpose()};
     const DelayPrior delay{all.mean[kDelay], std::sqrt(all.covariance(kDelay, kDelay))};
     mixture_ = wanted->start(place, delay);
+    if (wheels) wheel_motion_.set_heading(std::nullopt);
   }
   motion_ = wanted;
 }
@@ -132,14 +146,34 @@ void Localizer::begin(const std::vector<int>& tags, const Window& window) {
   place.covariance = reach * reach * Eigen::Matrix2d::Identity();
   mixture_ = motion_->start(place, parameters_.delay);
   mixture_utime_ = window.middle;
-  trust_.begin();
+  // Later, after turns, it is no longer the heading.
+  if (has_wheels()) wheel_motion_.set_heading(std::nullopt);
 }
 
-void Localizer::observe(const TagRound& round) {
+double Localizer::position_sigma() const {
+  const Hypothesis all = moments(mixture_, has_wheels() ? kHeading : -1);
+  return larger_sigma(all.covariance.topLeftCorner<2, 2>());
+}
+
+void Localizer::require_possible(const TagRound& round) {
   if (last_round_ && round.utime <= *last_round_) {
     ++faults_.late_rounds;
     refuse_time("RFID_TAG_HITS", round.utime, *last_round_);
   }
+  if (!round.window_known) return;
+  constexpr std::int64_t kOldest = 5'000'000;  // us; robot.yaml's longest delay
+  const auto longest = static_cast<std::int64_t>(std::lround(3e6 * rfid_.round_time));
+  const std::int64_t length = round.window_end - round.window_start;
+  const std::int64_t age = round.utime - round.window_end;
+  if (length >= 0 && length <= longest && age >= 0 && age <= kOldest) return;
+  ++faults_.wrong_windows;
+  throw std::invalid_argument("RFID_TAG_HITS: window of " + std::to_string(length) + " us that ended " +
+                              std::to_string(age) + " us before utime; allowed: 0 to " + std::to_string(longest) +
+                              " us, 0 to " + std::to_string(kOldest) + " us before");
+}
+
+void Localizer::observe(const TagRound& round) {
+  require_possible(round);
   last_round_ = round.utime;
   choose_motion(round.utime);
 
@@ -152,14 +186,16 @@ void Localizer::observe(const TagRound& round) {
   if (has_wheels()) speed = std::abs(history_.rate(window.middle, round.utime).way);
   if (auto paper = paper_.observe(round.utime, places, speed)) paper_estimate_ = paper;
 
+  if (!mixture_.empty() && window.middle > mixture_utime_) {
+    motion_->predict(mixture_, mixture_utime_, window.middle);
+    mixture_utime_ = window.middle;
+    if (position_sigma() > parameters_.hopeless_sigma) lose("too long without a tag of the map");
+  }
   if (mixture_.empty()) {
     if (tags.empty()) return;
     begin(tags, window);
-  } else if (window.middle > mixture_utime_) {
-    motion_->predict(mixture_, mixture_utime_, window.middle);
-    mixture_utime_ = window.middle;
   }
-  if (match(tags, moments_read, round, window)) restart();
+  if (match(tags, moments_read, round, window)) lose("the reads contradict the pose");
 }
 
 bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optional<std::int64_t>>& moments_read,
@@ -182,13 +218,15 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
     }
   }
   if (reachable.empty() && !tags.empty()) {
-    return trust_.follow(Agreement::kContradicts, sigma);  // nothing to learn from a round from elsewhere
+    return trust_.follow(Agreement::kContradicts, 0.0, sigma);  // nothing to learn from a round from elsewhere
   }
 
   double evidence = 0.0;
+  double weights = 0.0;
   std::vector<int> near;
-  std::vector<double> inside;  // by `near` of all hypotheses
-  std::vector<int> learnt;
+  std::vector<int> learnt;     // `near` of all hypotheses
+  std::vector<double> inside;  // by that
+  std::vector<double> chances;
   Mixture updated;
   for (Hypothesis& one : mixture_) {
     const AntennaView view = motion_->antenna(one, window.middle, window.length);
@@ -222,6 +260,8 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
 
     const RoundMatch found =
         match_round(view.p_WF, S, outcomes, window_points(view.velocity * round_s), model_, parameters_.match);
+    const double before = one.weight;
+    weights += before;
     one.weight *= std::max(found.evidence * unexplained, 1e-300);
     evidence += one.weight;
     // What is jointly Gaussian with the place follows it.
@@ -243,8 +283,11 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
       if (at == learnt.end()) {
         learnt.push_back(near[k]);
         inside.push_back(one.weight * found.inside[k]);
+        chances.push_back(before * found.chance[k]);
       } else {
-        inside[static_cast<std::size_t>(at - learnt.begin())] += one.weight * found.inside[k];
+        const auto place = static_cast<std::size_t>(at - learnt.begin());
+        inside[place] += one.weight * found.inside[k];
+        chances[place] += before * found.chance[k];
       }
     }
   }
@@ -255,13 +298,15 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
     reliability_.learn(learnt[k], read, share);
     explained = explained || (read && share >= parameters_.trust.explained);
   }
+  for (double& chance : chances) chance /= weights;
+  const double surprised = surprise(chances, std::log(evidence / weights), parameters_.match.false_read);
   motion_->clean(updated);
   mixture_ = std::move(updated);
 
   Agreement agreement = explained ? Agreement::kAgrees : Agreement::kContradicts;
   if (reachable.empty() && evidence >= parameters_.trust.unlikely) agreement = Agreement::kNothing;
   const Hypothesis after = moments(mixture_, has_wheels() ? kHeading : -1);
-  return trust_.follow(agreement, larger_sigma(after.covariance.topLeftCorner<2, 2>()));
+  return trust_.follow(agreement, surprised, larger_sigma(after.covariance.topLeftCorner<2, 2>()));
 }
 
 Estimate Localizer::estimate(std::int64_t utime) const {

@@ -45,6 +45,7 @@ struct LocalizerParameters {
   TrustParameters trust;
   PaperParameters paper;
   double wheels_missing = 0.5;  // s without encoders, after which inertia has to do
+  double hopeless_sigma = 1.0;  // m, of the position: to begin anew at the next tag says more
 };
 
 // What was wrong with the inputs, counted since the start.
@@ -54,6 +55,7 @@ struct LocalizerFaults {
   std::int64_t repeated_reads = 0;  // of one tag in one round
   std::int64_t late_rounds = 0;     // at or before the time of the last one
   std::int64_t late_odometry = 0;   // likewise
+  std::int64_t wrong_windows = 0;   // rounds said to have been when they cannot have been
   std::int64_t tick_jumps = 0;      // of the encoders' counters
 };
 
@@ -72,7 +74,8 @@ class Localizer {
   Localizer(const robot::BaseDescription& base, const robot::RfidDescription& rfid, const robot::TagField& field,
             const LocalizerParameters& parameters);
 
-  // Throw std::invalid_argument, change nothing but the count of faults, when time does not go on.
+  // Throw std::invalid_argument, change nothing but the count of faults, when time does not go on or a round's known
+  // window is impossible.
   void observe(const EncoderReading& reading);
   void observe(const TagRound& round);
 
@@ -95,7 +98,10 @@ class Localizer {
   void begin(const std::vector<int>& tags, const Window& window);
   bool match(const std::vector<int>& tags, const std::vector<std::optional<std::int64_t>>& moments,
              const TagRound& round, const Window& window);
-  void restart();
+  // Gives up what is believed of the place.
+  void lose(const std::string& why);
+  void require_possible(const TagRound& round);
+  double position_sigma() const;  // m, the larger axis
 
   robot::RfidDescription rfid_;
   LocalizerParameters parameters_;

@@ -1,6 +1,6 @@
 #include "services/rfid-localizer/localizer_messages.hpp"
 
-#include <cmath>
+#include <cstdio>
 
 namespace markservo::rfid_localizer {
 namespace {
@@ -26,14 +26,21 @@ void take_paper_pose(const PaperLocalisation& paper, RobotPose& message) {
   constexpr double kPosition = 0.026;    // m
   constexpr double kDirection = 0.1745;  // rad
   constexpr double kAny = 3.29;          // rad^2, of a direction that is not known
+  constexpr double kOld = 2.0;           // s, after which the reads tell nothing of now
   message.odometry_used = 0;
   if (paper.measured_known == 0) {
     message.state = RobotPose::SEARCHING;
     message.reason = "no tag of the map was read yet";
     return;
   }
-  message.state = RobotPose::LOCALISED;
+  const double age = 1e-6 * static_cast<double>(message.utime - paper.utime);
+  message.state = age <= kOld ? RobotPose::LOCALISED : RobotPose::LOST;
   message.reason.clear();
+  if (age > kOld) {
+    char text[80];
+    std::snprintf(text, sizeof text, "no tag of the map was read for %.1f s", age);
+    message.reason = text;
+  }
   message.pose = {paper.compensated_x, paper.compensated_y, paper.direction};
   message.speed = paper.speed;
   message.turn_rate = 0.0;

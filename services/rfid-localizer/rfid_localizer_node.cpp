@@ -99,6 +99,7 @@ void RfidLocalizerNode::tell(const RobotPose& pose) {
   add(faults.far_tags, "reads of tags out of reach");
   add(faults.repeated_reads, "tags read twice in a round");
   add(faults.late_rounds, "rounds out of order");
+  add(faults.wrong_windows, "rounds with an impossible window");
   add(faults.late_odometry, "odometry out of order");
   add(faults.tick_jumps, "jumps of the encoders");
   const bool changed = told_ != name_of(pose.state);

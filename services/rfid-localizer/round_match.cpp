@@ -17,7 +17,9 @@ struct Ellipse {
 struct Grid {
   Eigen::Vector2d centre;  // of u
   Eigen::Vector2d half;    // half extent of u
-  int points = 0;
+  int points = 0;          // each way
+
+  Eigen::Vector2d step() const { return 2.0 * half / (points - 1); }
 };
 
 struct Sums {
@@ -39,7 +41,8 @@ struct Product {
   Sums all;
   std::vector<Eigen::Vector2d> points;  // u of the grid
   std::vector<double> weights;          // prior times likelihood there
-  std::vector<double> inside;           // weighted sums, per outcome
+  std::vector<double> inside;           // sums weighted by those, per outcome
+  std::vector<double> reading;          // sums of the read probability weighted by the prior, per outcome
 };
 
 double footprint(const Eigen::Vector2d& p, const TagOutcome& tag, const std::vector<WindowPoint>& window,
@@ -52,30 +55,85 @@ double footprint(const Eigen::Vector2d& p, const TagOutcome& tag, const std::vec
   return sum;
 }
 
+// Rows and columns of the grid from which the antenna may reach a tag: no others need be tried.
+struct Block {
+  int first_row, last_row;  // the last ones included
+  int first_column, last_column;
+
+  bool has(int row, int column) const {
+    return row >= first_row && row <= last_row && column >= first_column && column <= last_column;
+  }
+};
+
+Block block_of(const TagOutcome& tag, const Ellipse& ellipse, const Grid& grid, double reach) {
+  const Eigen::Vector2d step = grid.step();
+  // The axes are orthogonal: their inverse is their transpose, scaled.
+  const Eigen::Vector2d squares = ellipse.axes.colwise().squaredNorm();
+  const Eigen::Vector2d u = (ellipse.axes.transpose() * (tag.p_W - ellipse.mean)).cwiseQuotient(squares);
+  const Eigen::Vector2d half = reach * squares.cwiseSqrt().cwiseInverse();
+  const double most = grid.points;
+  const auto index = [&](int axis, double place) {
+    return std::clamp((place - grid.centre[axis] + grid.half[axis]) / step[axis], -1.0, most);
+  };
+  return {static_cast<int>(std::ceil(std::max(index(0, u[0] - half[0]), 0.0))),
+          static_cast<int>(std::floor(std::min(index(0, u[0] + half[0]), most - 1.0))),
+          static_cast<int>(std::ceil(std::max(index(1, u[1] - half[1]), 0.0))),
+          static_cast<int>(std::floor(std::min(index(1, u[1] + half[1]), most - 1.0)))};
+}
+
 Product multiply(const Ellipse& ellipse, const Grid& grid, const std::vector<TagOutcome>& outcomes,
                  const std::vector<WindowPoint>& window, const ReadModel& model, double false_read) {
   Product product;
-  product.inside.assign(outcomes.size(), 0.0);
-  std::vector<double> inside(outcomes.size());
-  const Eigen::Vector2d step = 2.0 * grid.half / (grid.points - 1);
+  std::vector<double> priors;
   for (int i = 0; i < grid.points; ++i) {
     for (int j = 0; j < grid.points; ++j) {
-      const Eigen::Vector2d u = grid.centre - grid.half + step.cwiseProduct(Eigen::Vector2d(i, j));
-      const Eigen::Vector2d p = ellipse.mean + ellipse.axes * u;
-      const double prior = std::exp(-0.5 * u.squaredNorm());
-      double likelihood = 1.0;
-      for (std::size_t k = 0; k < outcomes.size(); ++k) {
-        inside[k] = footprint(p, outcomes[k], window, model);
-        const double reading = outcomes[k].reliability * inside[k];
-        likelihood *= outcomes[k].read ? reading + false_read : 1.0 - reading;
-      }
-      const double weight = prior * likelihood;
-      product.prior += prior;
-      product.all.add(u, weight);
+      const Eigen::Vector2d u = grid.centre - grid.half + grid.step().cwiseProduct(Eigen::Vector2d(i, j));
       product.points.push_back(u);
-      product.weights.push_back(weight);
-      for (std::size_t k = 0; k < inside.size(); ++k) product.inside[k] += weight * inside[k];
+      priors.push_back(std::exp(-0.5 * u.squaredNorm()));
+      product.prior += priors.back();
     }
+  }
+  product.weights = priors;
+  const auto number = [&grid](int row, int column) { return static_cast<std::size_t>(row * grid.points + column); };
+
+  double farthest = 0.0;  // of the antenna from its place in the round's middle
+  for (const WindowPoint& point : window) farthest = std::max(farthest, point.offset.norm());
+  std::vector<Block> blocks;
+  std::vector<double> footprints;  // of all blocks, one after the other
+  for (const TagOutcome& tag : outcomes) {
+    const double offset = tag.read && tag.moment_known ? tag.offset.norm() : farthest;
+    const Block block = block_of(tag, ellipse, grid, model.reach() + offset);
+    blocks.push_back(block);
+    if (tag.read) {
+      for (int i = 0; i < grid.points; ++i) {
+        for (int j = 0; j < grid.points; ++j) {
+          if (!block.has(i, j)) product.weights[number(i, j)] *= false_read;
+        }
+      }
+    }
+    double reading_sum = 0.0;
+    for (int i = block.first_row; i <= block.last_row; ++i) {
+      for (int j = block.first_column; j <= block.last_column; ++j) {
+        const std::size_t k = number(i, j);
+        footprints.push_back(footprint(ellipse.mean + ellipse.axes * product.points[k], tag, window, model));
+        const double reading = tag.reliability * footprints.back();
+        reading_sum += priors[k] * reading;
+        product.weights[k] *= tag.read ? reading + false_read : 1.0 - reading;
+      }
+    }
+    product.reading.push_back(reading_sum);
+  }
+  for (std::size_t k = 0; k < product.points.size(); ++k) product.all.add(product.points[k], product.weights[k]);
+
+  std::size_t next = 0;
+  for (const Block& block : blocks) {
+    double sum = 0.0;
+    for (int i = block.first_row; i <= block.last_row; ++i) {
+      for (int j = block.first_column; j <= block.last_column; ++j) {
+        sum += product.weights[number(i, j)] * footprints[next++];
+      }
+    }
+    product.inside.push_back(sum);
   }
   return product;
 }
@@ -135,6 +193,8 @@ RoundMatch match_round(const Eigen::Vector2d& prior_mean, const Eigen::Matrix2d&
             std::clamp(wanted, parameters.least_points, parameters.most_points)};
   Product product = multiply(ellipse, grid, outcomes, window, model, parameters.false_read);
   RoundMatch match;
+  match.chance = product.reading;
+  for (double& chance : match.chance) chance /= product.prior;
   if (!(product.all.weight > 0.0)) {  // everything contradicts everything
     match.parts = {{1.0, prior_mean, prior_covariance}};
     match.inside.assign(outcomes.size(), 0.0);

@@ -37,6 +37,7 @@ struct RoundMatch {
   std::vector<PlacePart> parts;  // one; two or three along the longer axis where one would be wider than allowed
   double evidence = 0.0;         // probability of the outcomes, given the prior
   std::vector<double> inside;    // per outcome, how likely the tag was well inside the footprint, afterwards
+  std::vector<double> chance;    // per outcome, how likely the tag was to be read, given the prior
 };
 
 struct RoundMatchParameters {

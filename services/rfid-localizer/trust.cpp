@@ -5,19 +5,27 @@
 
 namespace markservo::rfid_localizer {
 
-bool Trust::follow(Agreement agreement, double sigma) {
+bool Trust::follow(Agreement agreement, double surprise, double sigma) {
   if (agreement == Agreement::kAgrees) {
-    contradictions_ = std::max(contradictions_ - 2, 0);
+    constexpr double kMostRelief = -2.0;
+    const double doubtful = (surprise - parameters_.usual_surprise) / parameters_.surprise_scale;
+    doubt_ = std::max(doubt_ + std::clamp(doubtful, kMostRelief, 1.0), 0.0);
     agreements_ = std::min(agreements_ + 1, parameters_.confirmations);
     if (agreements_ == parameters_.confirmations && sigma <= parameters_.largest_sigma) placed_once_ = true;
   }
-  if (agreement == Agreement::kContradicts) ++contradictions_;
-  return contradictions_ >= parameters_.contradictions;
+  if (agreement == Agreement::kContradicts) doubt_ += 1.0;
+  return doubt_ >= parameters_.lost;
+}
+
+void Trust::lose(const std::string& why) {
+  agreements_ = 0;
+  doubt_ = 0.0;
+  why_lost_ = why;
 }
 
 Placement Trust::placement(double sigma, double since_round) const {
-  const bool good = agreements_ == parameters_.confirmations && sigma <= parameters_.largest_sigma &&
-                    since_round <= parameters_.silence;
+  const bool good = agreements_ == parameters_.confirmations && doubt_ < parameters_.suspect &&
+                    sigma <= parameters_.largest_sigma && since_round <= parameters_.silence;
   if (good) return Placement::kLocalised;
   return placed_once_ ? Placement::kLost : Placement::kSearching;
 }
@@ -28,9 +36,11 @@ std::string Trust::reason(double sigma, double since_round) const {
   if (since_round > parameters_.silence) {
     std::snprintf(text, sizeof text, "no round of the RFID reader for %.1f s", since_round);
   } else if (agreements_ == 0) {
-    std::snprintf(text, sizeof text, placed_once_ ? "the reads contradict the pose" : "no tag of the map was read yet");
+    return why_lost_.empty() ? "no tag of the map was read yet" : why_lost_ + "; no tag of the map was read since";
   } else if (agreements_ < parameters_.confirmations) {
     std::snprintf(text, sizeof text, "%d of %d rounds confirm the place", agreements_, parameters_.confirmations);
+  } else if (doubt_ >= parameters_.suspect) {
+    return "the reads contradict the pose";
   } else {
     std::snprintf(text, sizeof text, "position known to %.2f m only; allowed: %.2f m", sigma,
                   parameters_.largest_sigma);

@@ -2,6 +2,7 @@
 
 // What the wheels said, kept long enough to go back to the time of a read.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <deque>
@@ -18,7 +19,7 @@ struct WheelMotion {
 
 class WheelHistory {
  public:
-  static constexpr std::int64_t kKept_us = 3'000'000;  // longer than any reader's delay
+  static constexpr std::int64_t kKept_us = 8'000'000;  // longer than any reader's delay
 
   // Adds the motion since the last sample, which ended at `utime` (us, after the last). The first sample begins the
   // record; its motion is ignored.
@@ -35,7 +36,10 @@ class WheelHistory {
   template <class Use>
   void replay(std::int64_t from, std::int64_t to, Use use) const {
     if (samples_.size() < 2 || to <= from) return;
-    for (std::size_t i = 1; i < samples_.size(); ++i) {
+    const auto ends_later = [](std::int64_t utime, const Sample& sample) { return utime < sample.utime; };
+    const auto first_piece = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, from, ends_later);
+    for (auto i = static_cast<std::size_t>(first_piece - samples_.begin()); i < samples_.size(); ++i) {
+      if (samples_[i - 1].utime >= to) return;
       const std::int64_t begin = samples_[i - 1].utime;
       std::int64_t end = samples_[i].utime;
       if (i + 1 == samples_.size()) end += kExtrapolation_us;

@@ -5,11 +5,12 @@
 namespace markservo::rfid_localizer {
 namespace {
 
-constexpr double kNear = 0.02;  // m
+constexpr double kNear = 0.02;   // m
+constexpr double kUsual = -0.3;  // standard deviations, of a surprise
 
 Trust placed() {
   Trust trust{TrustParameters{}};
-  for (int i = 0; i < 3; ++i) trust.follow(Agreement::kAgrees, kNear);
+  for (int i = 0; i < 3; ++i) trust.follow(Agreement::kAgrees, kUsual, kNear);
   return trust;
 }
 
@@ -17,39 +18,63 @@ TEST(Trust, IsWonByThreeRoundsThatAgree) {
   Trust trust{TrustParameters{}};
   EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kSearching);
   EXPECT_NE(trust.reason(kNear, 0.0).find("no tag"), std::string::npos);
-  trust.follow(Agreement::kAgrees, kNear);
-  trust.follow(Agreement::kNothing, kNear);
-  trust.follow(Agreement::kAgrees, kNear);
+  trust.follow(Agreement::kAgrees, kUsual, kNear);
+  trust.follow(Agreement::kNothing, kUsual, kNear);
+  trust.follow(Agreement::kAgrees, kUsual, kNear);
   EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kSearching);
   EXPECT_NE(trust.reason(kNear, 0.0).find("2 of 3"), std::string::npos) << trust.reason(kNear, 0.0);
-  trust.follow(Agreement::kAgrees, kNear);
+  trust.follow(Agreement::kAgrees, kUsual, kNear);
   EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kLocalised);
   EXPECT_EQ(trust.reason(kNear, 0.0), "");
 }
 
 TEST(Trust, IsLostAfterFiveContradictionsAndSaysSoOnce) {
   Trust trust = placed();
-  for (int i = 0; i < 4; ++i) EXPECT_FALSE(trust.follow(Agreement::kContradicts, kNear)) << i;
-  EXPECT_TRUE(trust.follow(Agreement::kContradicts, kNear));
-  trust.begin();
+  for (int i = 0; i < 4; ++i) EXPECT_FALSE(trust.follow(Agreement::kContradicts, kUsual, kNear)) << i;
+  EXPECT_TRUE(trust.follow(Agreement::kContradicts, kUsual, kNear));
+  trust.lose("the reads contradict the pose");
   EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kLost) << "it was placed before";
-  EXPECT_NE(trust.reason(kNear, 0.0), "");
-  EXPECT_FALSE(trust.follow(Agreement::kContradicts, kNear)) << "counted anew";
+  EXPECT_NE(trust.reason(kNear, 0.0).find("contradict"), std::string::npos) << trust.reason(kNear, 0.0);
+  EXPECT_FALSE(trust.follow(Agreement::kContradicts, kUsual, kNear)) << "counted anew";
+}
+
+TEST(Trust, IsWithheldWhileItIsSuspectedToBeLost) {
+  Trust trust = placed();
+  for (int i = 0; i < 3; ++i) trust.follow(Agreement::kContradicts, kUsual, kNear);
+  EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kLost);
+  EXPECT_NE(trust.reason(kNear, 0.0).find("contradict"), std::string::npos) << trust.reason(kNear, 0.0);
+  trust.follow(Agreement::kAgrees, kUsual, kNear);
+  EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kLocalised) << "a wrong alarm";
 }
 
 TEST(Trust, SurvivesContradictionsBetweenRoundsThatAgree) {
   Trust trust = placed();
   for (int i = 0; i < 100; ++i) {
-    EXPECT_FALSE(trust.follow(Agreement::kContradicts, kNear));
-    EXPECT_FALSE(trust.follow(Agreement::kContradicts, kNear));
-    trust.follow(Agreement::kAgrees, kNear);
+    EXPECT_FALSE(trust.follow(Agreement::kContradicts, kUsual, kNear));
+    trust.follow(Agreement::kAgrees, kUsual, kNear);
+    trust.follow(Agreement::kAgrees, kUsual, kNear);
   }
   EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kLocalised);
 }
 
+TEST(Trust, IsLostByReadsThatSurpriseRoundAfterRound) {
+  Trust trust = placed();
+  int rounds = 0;
+  while (rounds < 100 && !trust.follow(Agreement::kAgrees, 4.0, kNear)) ++rounds;
+  EXPECT_LT(rounds, 10);
+}
+
+TEST(Trust, IsNotLostByAnOddSurprise) {
+  Trust trust = placed();
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_FALSE(trust.follow(Agreement::kAgrees, i % 10 == 0 ? 9.0 : kUsual, kNear));
+    EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kLocalised);
+  }
+}
+
 TEST(Trust, IsNotTouchedByRoundsThatSayNothing) {
   Trust trust = placed();
-  for (int i = 0; i < 100; ++i) EXPECT_FALSE(trust.follow(Agreement::kNothing, kNear));
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(trust.follow(Agreement::kNothing, kUsual, kNear));
   EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kLocalised);
 }
 
@@ -69,7 +94,7 @@ TEST(Trust, EndsWhenTheReaderFallsSilent) {
 
 TEST(Trust, ARobotThatWasNeverPlacedIsSearchingNotLost) {
   Trust trust{TrustParameters{}};
-  for (int i = 0; i < 3; ++i) trust.follow(Agreement::kAgrees, 0.5);
+  for (int i = 0; i < 3; ++i) trust.follow(Agreement::kAgrees, kUsual, 0.5);
   EXPECT_EQ(trust.placement(0.5, 0.0), Placement::kSearching);
   EXPECT_EQ(trust.placement(0.5, 9.0), Placement::kSearching);
 }
