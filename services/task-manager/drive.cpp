@@ -62,9 +62,9 @@ void ProcedureStep::make_ready() {
 
 void ProcedureStep::drive_to(bool from_robot, const FloorPose& pose) {
   enter_stage(kDriving, (from_robot ? "driving on by " : "driving to ") + words_of(pose));
-  s_.driven = true;
-  s_.driving_words = s_.reason;
-  s_.drive_progress = begin_of_drive(in_.utime);
+  s_.drive.driven = true;
+  s_.drive.words = s_.reason;
+  s_.drive.progress = begin_of_drive(in_.utime);
   DriveGoal goal;
   goal.drive = true;
   goal.from_robot = from_robot;
@@ -75,13 +75,13 @@ void ProcedureStep::drive_to(bool from_robot, const FloorPose& pose) {
 }
 
 void ProcedureStep::watch_the_drive() {
-  const DriveReport report = watch_drive(s_.drive_goal.id, in_, p_.drive, s_.drive_progress);
+  const DriveReport report = watch_drive(s_.drive.goal.id, in_, p_.drive, s_.drive.progress);
   switch (report.state) {
     case DriveState::kUnderWay:
-      s_.reason = s_.driving_words;
+      s_.reason = s_.drive.words;
       return;
     case DriveState::kWaiting:
-      s_.reason = s_.driving_words + "; " + report.reason;
+      s_.reason = s_.drive.words + "; " + report.reason;
       return;
     case DriveState::kArrived:
       return enter_stage(kStanding, "arrived");
@@ -95,10 +95,10 @@ void ProcedureStep::watch_the_drive() {
 // The target is seen at s_.p_CT, where it cannot be taken: true if the base drives on, so that it will be in the middle
 // of the workspace.
 bool ProcedureStep::corrects_the_stand(const std::string& trouble) {
-  if (!s_.driven || s_.attempt > 1 || s_.corrections >= p_.drive.corrections) return false;
+  if (!s_.drive.driven || s_.attempt > 1 || s_.drive.corrections >= p_.drive.corrections) return false;
   const Eigen::Vector2d off = s_.p_CT.head<2>() - Eigen::Vector2d(arm().p_CA.x(), p_.drive.target_depth);
   if (off.norm() < kPointlessCorrection || off.norm() > p_.drive.correction_max) return false;
-  ++s_.corrections;
+  ++s_.drive.corrections;
   out_.notices.push_back("driving nearer, since " + trouble);
   enter(Phase::kDrive, "");
   // R's axes are C's: its x is C's y, its y is C's -x.
@@ -107,19 +107,19 @@ bool ProcedureStep::corrects_the_stand(const std::string& trouble) {
 }
 
 void ProcedureStep::send(DriveGoal goal) {
-  goal.id = s_.drive_goal.id + 1;
-  s_.drive_goal = goal;
-  s_.drive_goal_is_new = true;
+  goal.id = s_.drive.goal.id + 1;
+  s_.drive.goal = goal;
+  s_.drive.goal_is_new = true;
 }
 
 // The base stands whenever it is not driving for the task: the arm works, or nothing is known of what is around.
 void ProcedureStep::command_the_base() {
   if (!robot_.base) return;
-  if (!may_drive() && (s_.drive_goal.drive || s_.drive_goal.id == 0)) send(DriveGoal());
-  if (!s_.drive_goal_is_new && !s_.drive_repeat.due(in_.utime)) return;
-  s_.drive_repeat.restart(in_.utime);
-  s_.drive_goal_is_new = false;
-  out_.drive_goal = s_.drive_goal;
+  if (!may_drive() && (s_.drive.goal.drive || s_.drive.goal.id == 0)) send(DriveGoal());
+  if (!s_.drive.goal_is_new && !s_.drive.repeat.due(in_.utime)) return;
+  s_.drive.repeat.restart(in_.utime);
+  s_.drive.goal_is_new = false;
+  out_.drive_goal = s_.drive.goal;
 }
 
 }  // namespace markservo::task_manager

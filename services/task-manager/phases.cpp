@@ -78,7 +78,7 @@ std::string ProcedureStep::who_is_silent() const {
 void ProcedureStep::not_taken(const std::string& reason) {
   if (s_.attempt > 1) {
     fail(s_.failure + "; and then: " + reason);
-  } else if (s_.driven) {
+  } else if (s_.drive.driven) {
     fail("after the drive: " + reason);
   } else {
     refuse(reason);

@@ -169,8 +169,8 @@ void ProcedureStep::start(const Command& command) {
   s_.task = command;
   s_.attempt = 1;
   s_.result = Result::kNone;
-  s_.driven = false;
-  s_.corrections = 0;
+  s_.drive.driven = false;
+  s_.drive.corrections = 0;
   if (!why.empty()) return refuse(why);
   if (command.drive_pose) return enter(Phase::kDrive, "making ready to drive");
   s_.target_mean = MarkAverage();

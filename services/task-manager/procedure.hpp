@@ -42,6 +42,17 @@ struct Holding {
 // What follows when a RELEASE is done.
 enum class AfterRelease { kLookAgain, kFail, kHome, kHomeCarried };
 
+// What the base was told for the task, and how that goes.
+struct DriveTask {
+  DriveGoal goal;
+  DriveProgress progress;
+  std::string words;  // where to, for people
+  bus::RepeatTimer repeat{bus::kStateRepeat_us};
+  int corrections = 0;  // drives after the first
+  bool goal_is_new = false;
+  bool driven = false;  // the base was told to drive for this task
+};
+
 struct State {
   Phase phase = Phase::kIdle;
   int attempt = 0;
@@ -54,13 +65,7 @@ struct State {
   bool goal_is_new = false;
   bus::RepeatTimer repeat{bus::kStateRepeat_us};
 
-  DriveGoal drive_goal;
-  bool drive_goal_is_new = false;
-  bus::RepeatTimer drive_repeat{bus::kStateRepeat_us};
-  DriveProgress drive_progress;
-  std::string driving_words;  // where to, for people
-  bool driven = false;        // the base was told to drive for this task
-  int corrections = 0;        // drives after the first
+  DriveTask drive;
 
   int stage = 0;                // within a phase
   std::int64_t since = 0;       // us, begin of the stage

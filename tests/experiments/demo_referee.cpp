@@ -117,7 +117,7 @@ class Demo {
     rig_.command(start);
     const double patience = kPatience + (goal ? kDrivePatience : 0.0);
     clock_.see(rig_.truth().utime);
-    const SimTruth before = rig_.truth();
+    SimTruth before = rig_.truth();
     Course course;
     int8_t shown = -1;
     int attempt = 0;
@@ -134,6 +134,8 @@ class Demo {
       if (task.state == TaskState::SERVO) ++course.servo.frames;
       stale_motion_.observe(rig_.truth(), task.state);
       drive_.observe(task.state);
+      if (task.state == TaskState::DRIVE)
+        before = rig_.truth();  // C drives along: places are told from the drive's end
       course.lift.observe(rig_.truth(), demo_.target, task.state);
       const double elapsed = clock_.seconds();
       if (ended(task, demo_.carry) || elapsed > patience) {
