@@ -24,6 +24,10 @@ BaseDescription load_base(YamlSection section) {
   base.track = section.number("track", kLength);
   base.ticks_per_turn = section.integer("ticks_per_turn", 1, 10'000'000);
   base.counter_bits = section.integer("counter_bits", 8, 32);
+  YamlSection odometry = section.section("odometry");
+  base.scale_sigma = odometry.number("scale_sigma", Allowed::between(0.0, 0.3));
+  base.drift = radians(odometry.number("drift_deg_per_sqrt_m", Allowed::between(0.0, 60.0)));
+  odometry.require_all_used();
   YamlSection outline = section.section("outline");
   base.front = outline.number("front", kLength);
   base.rear = outline.number("rear", kLength);

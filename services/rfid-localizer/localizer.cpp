@@ -291,19 +291,20 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
       }
     }
   }
+  bool explained = false;  // some read, by a place that the antenna may have been at
   for (std::size_t k = 0; k < learnt.size(); ++k) {
     const bool read = std::find(reachable.begin(), reachable.end(), learnt[k]) != reachable.end();
-    reliability_.learn(learnt[k], read, inside[k] / evidence);
+    const double share = inside[k] / evidence;
+    reliability_.learn(learnt[k], read, share);
+    explained = explained || (read && share >= parameters_.trust.explained);
   }
   for (double& chance : chances) chance /= weights;
   const double surprised = surprise(chances, std::log(evidence / weights), parameters_.match.false_read);
   motion_->clean(updated);
   mixture_ = std::move(updated);
 
-  Agreement agreement = Agreement::kAgrees;
-  if (reachable.empty()) {
-    agreement = evidence < parameters_.trust.unlikely ? Agreement::kContradicts : Agreement::kNothing;
-  }
+  Agreement agreement = explained ? Agreement::kAgrees : Agreement::kContradicts;
+  if (reachable.empty() && evidence >= parameters_.trust.unlikely) agreement = Agreement::kNothing;
   const Hypothesis after = moments(mixture_, has_wheels() ? kHeading : -1);
   return trust_.follow(agreement, surprised, larger_sigma(after.covariance.topLeftCorner<2, 2>()));
 }

@@ -40,8 +40,7 @@ void RfidLocalizerNode::add_options(CLI::App& app) {
   app.add_option("--start-heading", start_heading_deg_, "The robot's heading at the start, deg; default: not known")
       ->check(CLI::Range(-360.0, 360.0));
   number("--start-heading-sigma", start_heading_sigma_deg_, "How well that is known, deg", 0.1, 60.0);
-  number("--scale-sigma", parameters_.wheels.scale_sigma, "Of the wheels' effective radius, share", 0.0, 0.3);
-  number("--drift", parameters_.wheels.noise.drift, "Of the wheels' heading, rad per sqrt(m)", 0.0, 1.0);
+  number("--slip-margin", slip_margin_, "On robot.yaml's drift of the heading: what floors add to it", 1.0, 10.0);
   number("--lost-sigma", parameters_.trust.largest_sigma, "Position less well known counts as lost, m", 0.01, 10.0);
   number("--silence", parameters_.trust.silence, "Lost without any round of the reader for so long, s", 0.2, 60.0);
 }
@@ -61,7 +60,11 @@ void RfidLocalizerNode::configure(const std::string& robot_file) {
         HeadingPrior{*start_heading_deg_ * kRadiansPerDegree, start_heading_sigma_deg_ * kRadiansPerDegree};
   }
   const robot::BaseDescription base = robot.base.value_or(robot::BaseDescription{});
-  if (robot.base) parameters_.wheels.noise.track = base.track;
+  if (robot.base) {
+    parameters_.wheels.noise.track = base.track;
+    parameters_.wheels.noise.drift = slip_margin_ * base.drift;
+    parameters_.wheels.scale_sigma = base.scale_sigma;
+  }
   localizer_ = std::make_unique<Localizer>(base, *robot.rfid, robot.floor_tags->field(field_), parameters_);
 }
 

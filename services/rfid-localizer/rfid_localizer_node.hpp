@@ -29,6 +29,7 @@ class RfidLocalizerNode : public bus::Service {
   std::optional<double> delay_, delay_sigma_;
   std::optional<double> start_heading_deg_;
   double start_heading_sigma_deg_ = 5.0;
+  double slip_margin_ = 1.3;  // keeps the covariance honest at 5% of slip
   LocalizerParameters parameters_;
   std::unique_ptr<Localizer> localizer_;
   bus::Bus* bus_ = nullptr;

@@ -45,7 +45,7 @@ struct RoundMatchParameters {
   double span = 3.5;         // standard deviations that the grid covers
   int least_points = 15;     // of the grid, each way: a spacing of half a standard deviation
   int most_points = 61;
-  double widest = 3.0;  // softnesses: a Gaussian with a larger standard deviation bends around the footprint's edge
+  double widest = 2.0;  // softnesses: a Gaussian with a larger standard deviation bends around the footprint's edge
 };
 
 // The moments of a round at which each tag is tried: nodes of a quadrature along the antenna's `way` (m) through the

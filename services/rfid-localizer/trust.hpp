@@ -15,6 +15,7 @@ struct TrustParameters {
   double usual_surprise = 1.2;  // standard deviations; a round with reads and less lowers the doubt; nine in ten have
   double surprise_scale = 2.0;  // standard deviations beyond the usual raise the doubt by 1, which is the most
   double unlikely = 0.01;       // an empty round with less probability contradicts
+  double explained = 0.05;      // a read whose tag was inside the footprint with less probability is no confirmation
   int confirmations = 3;        // agreeing rounds with reads until a new place is believed
   double largest_sigma = 0.15;  // m, of the position: more is no place to drive by
   double silence = 2.0;         // s without any round: the reader is gone

@@ -9,7 +9,7 @@ namespace markservo::rfid_localizer {
 
 // How far wheels may be believed.
 struct WheelNoise {
-  double drift = 0.045;        // rad per sqrt(m): 2 degrees of a plain base on a plain floor, and some slip
+  double drift = 0.045;        // rad per sqrt(m): robot.yaml's 2 degrees, times the margin for slip
   double turn_error = 0.03;    // rad per sqrt(rad) of turning: track and tyres
   double scale_walk = 0.01;    // per sqrt(m): load and floor change the wheels' effective radius
   double creep = 0.0003;       // m per sqrt(s): what no encoder sees

@@ -7,17 +7,17 @@ const char* describe(CommandVerdict verdict) {
     case CommandVerdict::kObeyed:
       return "obeyed";
     case CommandVerdict::kLatched:
-      return "the arm is stopped";
+      return "stopped";
     case CommandVerdict::kOtherSession:
-      return "answers a frame of another session";
+      return "answers another session";
     case CommandVerdict::kUnknownFrame:
-      return "answers a frame that was not exposed yet";
+      return "answers what was not told yet";
     case CommandVerdict::kBeforeReset:
-      return "answers a frame from before the reset";
+      return "answers what was told before the reset";
     case CommandVerdict::kOutOfOrder:
-      return "answers no newer frame than the command before";
+      return "answers nothing newer than the command before";
     case CommandVerdict::kStale:
-      return "answers a frame older than 0.3 s";
+      return "answers what is older than 0.3 s";
   }
   return "unknown";
 }

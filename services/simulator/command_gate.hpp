@@ -1,7 +1,8 @@
 #pragma once
 
-// Which JOINT_COMMANDs the simulated arm obeys: what every arm driver must hold to. Starts latched; only a reset
-// unlatches, and never moves anything by itself. No clock: "now" is simulated time.
+// Which JOINT_COMMANDs the simulated arm obeys, and which BASE_COMMANDs the base: what every driver must hold to.
+// Starts latched; only a reset unlatches, and never moves anything by itself. The arm's commands answer frames, the
+// base's its odometry: "frame" stands for both here. No clock: "now" is simulated time.
 
 #include <cstdint>
 
@@ -18,7 +19,7 @@ struct FrameIdentity {
 
 enum class CommandVerdict {
   kObeyed,
-  kLatched,       // STOP holds the arm
+  kLatched,       // STOP holds the device
   kOtherSession,  // answers the frame of another simulator, or of an earlier run of this one
   kUnknownFrame,  // answers a frame that was not yet exposed
   kBeforeReset,   // answers a frame from before the STOP reset or the world's reset

@@ -19,4 +19,9 @@ struct PlanarPose {
   }
 };
 
+// The same from a heading in degrees, as files and settings have it.
+inline PlanarPose pose_from_degrees(double x, double y, double heading_deg) {
+  return {x, y, heading_deg * M_PI / 180.0};
+}
+
 }  // namespace markservo::simulator

@@ -19,6 +19,10 @@ ShelfScene read_shelf(YamlSection section) {
   shelf.width = section.number("width", Allowed::positive());
   shelf.depth = section.number("depth", Allowed::positive());
   shelf.front_overhang = section.number("front_overhang", Allowed::between(0.0, 0.1));
+  shelf.cabinet_setback = section.number("cabinet_setback", Allowed::between(0.0, 1.0));
+  if (shelf.cabinet_setback >= shelf.depth) {
+    section.fail("cabinet_setback", std::to_string(shelf.cabinet_setback), "less than the shelf's depth");
+  }
   section.require_all_used();
   return shelf;
 }
@@ -68,10 +72,23 @@ SideTableScene read_side_table(YamlSection section) {
   table.x = section.numbers("x", 2, Allowed::any());
   table.y = section.numbers("y", 2, Allowed::any());
   table.top_z = section.number("top_z", Allowed::any());
+  table.leg_width = section.number("leg_width", Allowed::between(0.001, 1.0));
   if (table.x[0] >= table.x[1]) section.fail("x", "not rising", "from, to with from below to");
   if (table.y[0] >= table.y[1]) section.fail("y", "not rising", "from, to with from below to");
   section.require_all_used();
   return table;
+}
+
+DockScene read_dock(YamlSection section, const robot::RobotDescription& robot) {
+  DockScene dock;
+  dock.field = section.text("field");
+  if (robot.floor_tags) robot.floor_tags->field(dock.field);  // throws if there is none
+  const Eigen::Vector3d pose = section.numbers("pose", 3, Allowed::between(-1000.0, 1000.0));
+  dock.x = pose[0];
+  dock.y = pose[1];
+  dock.heading_deg = pose[2];
+  section.require_all_used();
+  return dock;
 }
 
 RoomScene read_room(YamlSection section) {
@@ -114,6 +131,7 @@ Distractor read_distractor(YamlSection section) {
 Scene load_scene(const std::string& path, const robot::RobotDescription& robot) {
   YamlSection file = YamlSection::load(path);
   Scene scene;
+  if (robot.base || file.has("dock")) scene.dock = read_dock(file.section("dock"), robot);
   scene.shelf = read_shelf(file.section("shelf"));
   scene.books = read_books(file.section("books"), robot);
   scene.print = read_print(file.section("print"));

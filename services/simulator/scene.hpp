@@ -1,23 +1,26 @@
 #pragma once
 
-// The world around the robot as a scene file (config/scenes/) describes it. SI units, positions in the camera frame C.
+// The world around the robot as a scene file (config/scenes/) describes it. SI units, positions in the scene frame S:
+// the camera frame C of the robot at the scene's dock.
 
 #include <Eigen/Core>
 #include <string>
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
+#include "services/simulator/planar_pose.hpp"
 
 namespace markservo::simulator {
 
 using Rgb = Eigen::Vector3d;  // each 0..1
 
 struct ShelfScene {
-  double top_z = 0.0;           // m
-  double thickness = 0.0;       // m
-  double width = 0.0;           // m
-  double depth = 0.0;           // m
-  double front_overhang = 0.0;  // m, the board's front edge before the spines
+  double top_z = 0.0;            // m
+  double thickness = 0.0;        // m
+  double width = 0.0;            // m
+  double depth = 0.0;            // m
+  double front_overhang = 0.0;   // m, the board's front edge before the spines
+  double cabinet_setback = 0.0;  // m, the closed front below the board behind the board's edge
 };
 
 struct BookScene {
@@ -45,6 +48,17 @@ struct SideTableScene {
   Eigen::Vector2d x = Eigen::Vector2d::Zero();  // m, from, to
   Eigen::Vector2d y = Eigen::Vector2d::Zero();  // m, from, to
   double top_z = 0.0;                           // m
+  double leg_width = 0.0;                       // m, of the closed leg below the table's left edge
+};
+
+// Where the robot stands for the scene's positions to be what its cameras see.
+struct DockScene {
+  std::string field;         // of floor tags, in robot.yaml
+  double x = 0.0;            // m in W, the field's frame
+  double y = 0.0;            // m
+  double heading_deg = 0.0;  // deg
+
+  PlanarPose X_WD() const { return pose_from_degrees(x, y, heading_deg); }
 };
 
 struct RoomScene {
@@ -72,6 +86,7 @@ struct Distractor {
 };
 
 struct Scene {
+  DockScene dock;  // all zero for a robot without a base
   ShelfScene shelf;
   BooksScene books;
   PrintScene print;
@@ -81,7 +96,8 @@ struct Scene {
   std::vector<Distractor> distractors;
 };
 
-// Reads and checks a scene file; every book's mark must be a target of `robot`. Throws ConfigurationError: one line
+// Reads and checks a scene file; every book's mark must be a target of `robot`, and the dock in one of
+// its tag fields. Throws ConfigurationError: one line
 // with file, key, value and what is allowed.
 Scene load_scene(const std::string& path, const robot::RobotDescription& robot);
 

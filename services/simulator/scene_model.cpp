@@ -4,8 +4,10 @@
 
 #include "common/robot/arm_kinematics.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "services/simulator/contact_classes.hpp"
 #include "services/simulator/mjcf_writer.hpp"
 #include "services/simulator/random.hpp"
+#include "services/simulator/room_model.hpp"
 
 namespace markservo::simulator {
 namespace {
@@ -25,12 +27,12 @@ const Rgb kWood(0.47, 0.40, 0.34);
 const Rgb kPaper(0.86, 0.84, 0.78);
 const Rgb kLetters(0.75, 0.74, 0.70);
 
-// Who touches whom: the arm's parts never each other, all else everything.
-const char* const kArmContact = "contype=\"1\" conaffinity=\"0\"";
-const char* const kNoContact = "contype=\"0\" conaffinity=\"0\" mass=\"0\"";
+// MuJoCo's solver ends when the rest no longer matters beside the mean of all joints' inertia. The base's own, which
+// stands for "moved by nothing", must not count: this is the mean over arm and books.
+constexpr double kMeanInertia = 0.164;
 
-// Sub-millimetre stiffness: books neither sink nor creep.
-const char* const kStiff = "solref=\"0.005 1\" solimp=\"0.95 0.99 0.001\"";
+// The base's inertia in the model, kg and kg m2: no force there is moves it.
+constexpr double kBaseInertia = 1e6;
 
 Vector3d marks_middle(const Scene& scene, const Settings& settings) {
   return {settings.books_x, settings.books_y, scene.books.mark_z};
@@ -60,7 +62,9 @@ std::string header(const robot::CameraDescription& cameras, double ambient) {
          "<option timestep=\"" +
          mjcf(kTimeStep) +
          "\" integrator=\"implicit\" cone=\"elliptic\" impratio=\"40\"/>\n"
-         "<statistic extent=\"1\" center=\"0 0.3 0\" meansize=\"0.1\"/>\n"
+         "<statistic extent=\"1\" center=\"0 0.3 0\" meansize=\"0.1\" meaninertia=\"" +
+         mjcf(kMeanInertia) +
+         "\"/>\n"
          "<visual><global offwidth=\"" +
          std::to_string(cameras.width) + "\" offheight=\"" + std::to_string(cameras.height) + "\" fovy=\"" +
          mjcf(fovy_deg) +
@@ -122,51 +126,6 @@ std::string print_geom(const robot::MarkDescription& mark, const Eigen::Isometry
          "/>\n";
 }
 
-std::string room_bodies(const robot::RobotDescription& robot, const Scene& scene) {
-  constexpr double kRoomSize = 2.4;  // m
-  const RoomScene& room = scene.room;
-  constexpr double kWallHeight = 1.8;  // m
-  Eigen::Isometry3d wall = Eigen::Isometry3d::Identity();
-  wall.translation() << 0.0, room.wall_y + 0.02, room.floor_z + 0.5 * kWallHeight;
-  wall.rotate(kPrintTurn);
-  std::string out =
-      "<geom name=\"wall\" " + placed(wall) + " " + box({kRoomSize, kWallHeight, 0.04}) + " material=\"wall\"/>\n";
-  out += "<geom name=\"floor\" " + at({0.0, room.wall_y - 0.5 * kRoomSize, room.floor_z - 0.02}) + " " +
-         box({kRoomSize, kRoomSize, 0.04}) + " material=\"floor\"/>\n";
-  int number = 0;
-  for (const Distractor& thing : scene.distractors) {
-    const std::string shape =
-        thing.sphere ? "type=\"sphere\" size=\"" + mjcf(0.5 * thing.size[0]) + "\"" : box(thing.size);
-    out += "<geom " + named("distractor_" + std::to_string(++number)) + " " + at(thing.centre) + " " + shape + " " +
-           coloured(thing.colour) + " material=\"matt\" " + kNoContact + "/>\n";
-  }
-  // The robot: a box on the floor up to the plate that the arm stands on, and a mast that carries the cameras.
-  const Vector3d foot = robot.arm->p_CA;
-  const double plate_z = foot.z();
-  const double body_height = plate_z - room.floor_z - 0.06;
-  out += "<geom name=\"robot_base\" " + at({foot.x(), foot.y() - 0.14, plate_z - 0.5 * body_height}) + " " +
-         box({0.36, 0.40, body_height}) + " " + coloured({0.24, 0.25, 0.27}) + " material=\"matt\"/>\n";
-  out += "<geom name=\"mast\" " + at({0.5 * robot.cameras.stereo.baseline, -0.16, 0.5 * plate_z}) + " " +
-         box({0.03, 0.03, -plate_z}) + " " + coloured(kMetal) + " material=\"matt\"/>\n";
-  return out;
-}
-
-std::string furniture(const Scene& scene, const Settings& settings) {
-  const std::string friction = " friction=\"" + mjcf(settings.books_friction) + " 0.005 0.0001\" " + kStiff;
-  const ShelfScene& shelf = scene.shelf;
-  std::string out = "<geom name=\"shelf\" " +
-                    at({settings.books_x, settings.books_y - shelf.front_overhang + 0.5 * shelf.depth,
-                        shelf.top_z - 0.5 * shelf.thickness}) +
-                    " " + box({shelf.width, shelf.depth, shelf.thickness}) + " material=\"wood\"" + friction + "/>\n";
-  constexpr double kTableThickness = 0.018;  // m
-  const SideTableScene& table = scene.side_table;
-  out += "<geom name=\"side_table\" " +
-         at({0.5 * (table.x[0] + table.x[1]), 0.5 * (table.y[0] + table.y[1]), table.top_z - 0.5 * kTableThickness}) +
-         " " + box({table.x[1] - table.x[0], table.y[1] - table.y[0], kTableThickness}) + " material=\"wood\"" +
-         friction + "/>\n";
-  return out;
-}
-
 std::string book_body(const robot::RobotDescription& robot, const Scene& scene, const Settings& settings,
                       const BookScene& book) {
   const BooksScene& books = scene.books;
@@ -178,8 +137,8 @@ std::string book_body(const robot::RobotDescription& robot, const Scene& scene, 
 
   std::string out = "<body " + named(book.mark) + " " + placed(book_pose(scene, settings, book)) + "><freejoint/>\n";
   out += "<geom " + named(book.mark) + " " + box(books.size) + " mass=\"" + mjcf(books.mass) + "\" " +
-         coloured(book.cover) + " material=\"matt\" condim=\"4\" friction=\"" + mjcf(settings.books_friction) +
-         " 0.005 0.0001\" " + kStiff + "/>\n";
+         coloured(book.cover) + " material=\"matt\" " + kBookContact + " condim=\"4\" friction=\"" +
+         mjcf(settings.books_friction) + " 0.005 0.0001\" " + kStiff + "/>\n";
   out += print_geom(mark, X_BM);
   // The look of a book: pages at the top, a title on the spine.
   constexpr double kInk = 0.0001;  // m, raised
@@ -203,9 +162,9 @@ std::string finger_body(const ArmDescription& arm, const Settings& settings, con
   return std::string("<body ") + named(name) + "><joint " + named(name) + " type=\"slide\" axis=\"" + mjcf(side) +
          " 0 0\" range=\"0 " + mjcf(0.5 * gripper.opening_max) + "\" armature=\"0.5\" damping=\"200\"/>\n<geom " +
          named(name) + " " + at(centre) + " " + box({gripper.finger_thickness, gripper.finger_length, kFingerHeight}) +
-         " mass=\"0.02\" " + coloured(kDark) +
-         " material=\"matt\" contype=\"1\" conaffinity=\"0\" priority=\"1\" condim=\"4\" friction=\"" +
-         mjcf(settings.gripper_friction) + " 0.01 0.0001\" " + kStiff + "/></body>\n";
+         " mass=\"0.02\" " + coloured(kDark) + " material=\"matt\" " + kArmContact +
+         " priority=\"1\" condim=\"4\" friction=\"" + mjcf(settings.gripper_friction) + " 0.01 0.0001\" " + kStiff +
+         "/></body>\n";
 }
 
 std::string forearm_body(const robot::RobotDescription& robot, const ArmDescription& arm, const Settings& settings) {
@@ -264,6 +223,33 @@ std::string arm_bodies(const robot::RobotDescription& robot, const Settings& set
   return out + "</body></body></body>\n";
 }
 
+// The robot's base and all that it carries: a body whose place the wheels decide, and no force. It is a box up to the
+// plate that the arm stands on, and a mast that carries the cameras; its frame is C.
+std::string robot_body(const robot::RobotDescription& robot, const Scene& scene, const Settings& settings) {
+  constexpr double kGroundClearance = 0.06;  // m
+  const Vector3d p_RC = robot.cameras.p_RC;
+  const double plate_z = robot.arm->p_CA.z();
+  const double body_height = plate_z - scene.room.floor_z - kGroundClearance;
+  Vector3d size(0.36, 0.40, body_height);
+  Vector3d centre(robot.arm->p_CA.x(), robot.arm->p_CA.y() - 0.14, plate_z - 0.5 * body_height);
+  if (robot.base) {
+    size.head<2>() << 2.0 * robot.base->half_width, robot.base->front + robot.base->rear;
+    centre.head<2>() << p_RC.y(), 0.5 * (robot.base->front - robot.base->rear) - p_RC.x();
+  }
+  std::string out = std::string("<body ") + named(kRobotBase) + ">\n";
+  const auto joint = [&](const char* name, const char* kind_and_axis) {
+    out += std::string("<joint ") + named(name) + " " + kind_and_axis + " armature=\"" + mjcf(kBaseInertia) + "\"/>\n";
+  };
+  joint(kBaseJoints[0], "type=\"slide\" axis=\"1 0 0\"");
+  joint(kBaseJoints[1], "type=\"slide\" axis=\"0 1 0\"");
+  joint(kBaseJoints[2], "type=\"hinge\" axis=\"0 0 1\"");
+  out += "<geom name=\"robot_base\" " + at(centre) + " " + box(size) + " " + coloured({0.24, 0.25, 0.27}) +
+         " material=\"matt\" " + kBaseContact + "/>\n";
+  out += "<geom name=\"mast\" " + at({0.5 * robot.cameras.stereo.baseline, -0.16, 0.5 * plate_z}) + " " +
+         box({0.03, 0.03, -plate_z}) + " " + coloured(kMetal) + " material=\"matt\" " + kBaseContact + "/>\n";
+  return out + cameras_of(robot.cameras) + arm_bodies(robot, settings) + "</body>\n";
+}
+
 }  // namespace
 
 std::string print_name(const std::string& mark) {
@@ -284,12 +270,12 @@ ArmDescription true_arm(const robot::RobotDescription& robot, const Settings& se
 
 Eigen::Isometry3d book_pose(const Scene& scene, const Settings& settings, const BookScene& book) {
   const BooksScene& books = scene.books;
-  Eigen::Isometry3d X_CB = Eigen::Isometry3d::Identity();
-  X_CB.translation() = marks_middle(scene, settings) + Vector3d(book.place * books.spacing, 0.0, 0.0);
-  X_CB.rotate(Eigen::AngleAxisd(settings.books_slant_deg * kRadiansPerDegree, Vector3d::UnitZ()));
-  X_CB.translate(
+  Eigen::Isometry3d X_SB = Eigen::Isometry3d::Identity();
+  X_SB.translation() = marks_middle(scene, settings) + Vector3d(book.place * books.spacing, 0.0, 0.0);
+  X_SB.rotate(Eigen::AngleAxisd(settings.books_slant_deg * kRadiansPerDegree, Vector3d::UnitZ()));
+  X_SB.translate(
       Vector3d(0.0, kPrintThickness + 0.5 * books.size[1], scene.shelf.top_z + 0.5 * books.size[2] - books.mark_z));
-  return X_CB;
+  return X_SB;
 }
 
 SceneModel write_scene_model(const robot::RobotDescription& robot, const Scene& scene, const Settings& settings,
@@ -298,9 +284,10 @@ SceneModel write_scene_model(const robot::RobotDescription& robot, const Scene& 
   SceneModel model;
   model.mjcf = header(robot.cameras, scene.light.ambient);
   model.mjcf += assets(model, robot, scene);
-  model.mjcf += "<worldbody>\n" + cameras_of(robot.cameras) + lamps(scene.light, settings.light_vary, seed) +
-                room_bodies(robot, scene) + furniture(scene, settings) + arm_bodies(robot, settings);
+  model.mjcf += "<worldbody>\n" + lamps(scene.light, settings.light_vary, seed) + room_geoms(scene) +
+                furniture_geoms(scene, settings) + robot_body(robot, scene, settings);
   for (const BookScene& book : scene.books.row) model.mjcf += book_body(robot, scene, settings, book);
+  model.mjcf += obstacle_body();
   // One motor drives both fingers, as in a parallel gripper: they stay at equal distance from the middle.
   model.mjcf += std::string("</worldbody>\n<equality><joint joint1=\"") + kLeftFinger + "\" joint2=\"" + kRightFinger +
                 "\" solref=\"0.005 1\"/></equality>\n</mujoco>\n";

@@ -1,7 +1,7 @@
 #pragma once
 
 // Writes the simulated world as a MuJoCo model: the robot of config/robot.yaml in a scene. The MuJoCo world frame is
-// the camera frame C.
+// the scene frame S: the camera frame C while the robot stands at the scene's dock.
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -19,6 +19,8 @@ namespace markservo::simulator {
 inline constexpr const char* kLeftCamera = "left";
 inline constexpr const char* kRightCamera = "right";
 inline constexpr const char* kGripSite = "grip_point";
+inline constexpr const char* kRobotBase = "robot_base";  // the body whose frame is C
+inline constexpr const char* kBaseJoints[] = {"base_x", "base_y", "base_turn"};
 inline constexpr const char* kLeftFinger = "finger_left";
 inline constexpr const char* kRightFinger = "finger_right";
 std::string print_name(const std::string& mark);
@@ -36,7 +38,7 @@ struct SceneModel {
 // The arm as it really is in the simulated world: robot.yaml's with the settings' calibration errors.
 robot::ArmDescription true_arm(const robot::RobotDescription& robot, const Settings& settings);
 
-// Where a book stands at a reset: pose of its centre in C.
+// Where a book stands at a reset: X_SB of its centre.
 Eigen::Isometry3d book_pose(const Scene& scene, const Settings& settings, const BookScene& book);
 
 // Throws ConfigurationError if the cameras are not what the renderer can do: fx = fy and the principal point in the

@@ -77,13 +77,41 @@ const std::vector<SettingDescription>& setting_descriptions() {
       {"arm.start_opening", &S::arm_start_opening, 0.0, 0.2, false, kReset, "m, gripper at a reset"},
       {"gripper.friction", &S::gripper_friction, 0.05, 3.0, false, kReset, "fingers on anything"},
       {"gripper.speed", &S::gripper_speed, 0.005, 1.0, false, kNow, "m/s, change of the opening"},
+      {"base.start_x", &S::base_start_x, -100.0, 100.0, false, kReset,
+       "m, where the robot starts, in W; default: docked"},
+      {"base.start_y", &S::base_start_y, -100.0, 100.0, false, kReset, "m, where the robot starts, in W"},
+      {"base.start_heading_deg", &S::base_start_heading_deg, -360.0, 360.0, false, kReset,
+       "deg, its heading, counter-clockwise from W's x axis"},
+      {"base.scale_sigma", &S::base_scale_sigma, 0.0, 0.2, false, kReset,
+       "standard deviation of the factor between the true way and what the encoders tell"},
+      {"base.drift_deg_per_sqrt_m", &S::base_drift_deg_per_sqrt_m, 0.0, 50.0, false, kReset,
+       "deg per sqrt(m), random walk of the heading against what the encoders tell"},
+      {"base.slip", &S::base_slip, 0.0, 0.5, false, kReset, "mean share of a wheel's turning that makes no way"},
+      {"rfid.missed", &S::rfid_missed, 0.0, 1.0, false, kNow, "share of tag reads that fail besides"},
+      {"rfid.missing_tags", &S::rfid_missing_tags, 0.0, 1.0, false, kReset,
+       "share of the map's tags that are not there"},
+      {"rfid.survey_error", &S::rfid_survey_error, 0.0, 1.0, false, kReset,
+       "m, standard deviation of the tags' true from their mapped places, each axis"},
+      {"rfid.delay_s", &S::rfid_delay_s, 0.0, 10.0, false, kNow, "s, from a round's middle to its arrival"},
+      {"rfid.delay_jitter_s", &S::rfid_delay_jitter_s, 0.0, 1.0, false, kNow,
+       "s, answers come up to this early or late"},
+      {"rfid.read_time_known", &S::rfid_read_time_known, 0.0, 1.0, true, kNow, "1: the reader tells when it read"},
+      {"rfid.unknown_rate", &S::rfid_unknown_rate, 0.0, 1.0, false, kNow, "share of rounds with a tag not in the map"},
+      {"rfid.false_rate", &S::rfid_false_rate, 0.0, 1.0, false, kNow, "share of rounds with a tag that is far away"},
+      {"rfid.duplicate_rate", &S::rfid_duplicate_rate, 0.0, 1.0, false, kNow, "share of reads that are told twice"},
+      {"sonar.noise", &S::sonar_noise, 0.0, 1.0, false, kNow, "m, standard deviation of a range"},
+      {"sonar.dropout", &S::sonar_dropout, 0.0, 1.0, false, kNow, "share of echoes that are lost"},
+      {"obstacle.present", &S::obstacle_present, 0.0, 1.0, true, kNow, "1: something as tall as a person stands there"},
+      {"obstacle.x", &S::obstacle_x, -100.0, 100.0, false, kNow, "m, its middle in W"},
+      {"obstacle.y", &S::obstacle_y, -100.0, 100.0, false, kNow, "m, its middle in W"},
+      {"obstacle.size", &S::obstacle_size, 0.01, 3.0, false, kNow, "m, edge of the square it stands on"},
       {"frames.rate_hz", &S::frames_rate_hz, 4.0, 100.0, false, kNow, "Hz"},
       {"frames.drop_rate", &S::frames_drop_rate, 0.0, 0.95, false, kNow, "share of frames that are lost"},
   };
   return descriptions;
 }
 
-Settings default_settings(const robot::RobotDescription& robot, bool lockstep) {
+Settings default_settings(const robot::RobotDescription& robot, const Scene& scene, bool lockstep) {
   if (!robot.arm)
     throw ConfigurationError("the simulator's robot has no arm; allowed: a robot.yaml with section 'arm'");
   Settings settings;
@@ -91,6 +119,11 @@ Settings default_settings(const robot::RobotDescription& robot, bool lockstep) {
   settings.arm_start_shoulder_deg = robot.arm->home[1] * kDegreesPerRadian;
   settings.arm_start_elbow_deg = robot.arm->home[2] * kDegreesPerRadian;
   settings.arm_start_opening = robot.arm->gripper.opening_max;
+  settings.base_start_x = scene.dock.x;
+  settings.base_start_y = scene.dock.y;
+  settings.base_start_heading_deg = scene.dock.heading_deg;
+  if (robot.rfid) settings.rfid_delay_s = robot.rfid->delay;
+  if (robot.floor_tags) settings.rfid_survey_error = robot.floor_tags->survey_sigma;
   settings.frames_rate_hz = lockstep ? 30.0 : 15.0;
   return settings;
 }
@@ -137,6 +170,10 @@ void check_against_robot(const Settings& settings, const robot::RobotDescription
   if (settings.arm_start_opening > robot.arm->gripper.opening_max) {
     fail("arm.start_opening", text(settings.arm_start_opening),
          "up to the gripper's " + text(robot.arm->gripper.opening_max));
+  }
+  if (robot.rfid && settings.rfid_delay_s < 0.5 * robot.rfid->round_time) {
+    fail("rfid.delay_s", text(settings.rfid_delay_s),
+         "half of robot.yaml's rfid.round_time, " + text(0.5 * robot.rfid->round_time) + ", or more");
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
+#include "services/simulator/scene.hpp"
 
 namespace markservo::simulator {
 
@@ -50,6 +51,31 @@ struct Settings {
   double gripper_friction = 1.2;
   double gripper_speed = 0.1;
 
+  double base_start_x = 0.0;
+  double base_start_y = 0.0;
+  double base_start_heading_deg = 0.0;
+  double base_scale_sigma = 0.02;
+  double base_drift_deg_per_sqrt_m = 2.0;
+  double base_slip = 0.0;
+
+  double rfid_missed = 0.0;
+  double rfid_missing_tags = 0.0;
+  double rfid_survey_error = 0.0;
+  double rfid_delay_s = 0.0;
+  double rfid_delay_jitter_s = 0.0;
+  double rfid_read_time_known = 0.0;
+  double rfid_unknown_rate = 0.0;
+  double rfid_false_rate = 0.0;
+  double rfid_duplicate_rate = 0.0;
+
+  double sonar_noise = 0.01;
+  double sonar_dropout = 0.02;
+
+  double obstacle_present = 0.0;
+  double obstacle_x = 0.0;
+  double obstacle_y = 0.0;
+  double obstacle_size = 0.3;
+
   double frames_rate_hz = 15.0;
   double frames_drop_rate = 0.0;
 };
@@ -70,9 +96,9 @@ struct SettingDescription {
 // All settings, in the order of the list for people.
 const std::vector<SettingDescription>& setting_descriptions();
 
-// The defaults for this robot. Lockstep runs 30 frames a second, real time 15: what two busy cores render.
-// Throws ConfigurationError if the robot has no arm.
-Settings default_settings(const robot::RobotDescription& robot, bool lockstep);
+// The defaults for this robot in this scene: at the dock, its reader as robot.yaml has it. Lockstep runs 30 frames a
+// second, real time 15: what two busy cores render. Throws ConfigurationError if the robot has no arm.
+Settings default_settings(const robot::RobotDescription& robot, const Scene& scene, bool lockstep);
 
 // Sets one setting. Throws ConfigurationError (name, value, what is allowed) for an unknown name or an impossible
 // value.
@@ -81,8 +107,8 @@ void set_value(Settings& settings, const std::string& name, double value);
 // Sets one from "name=value"; throws as set_value.
 void set_from_text(Settings& settings, const std::string& assignment);
 
-// Checks what only holds for this robot: the start posture inside the arm's limits, the opening inside the gripper's.
-// Throws ConfigurationError.
+// Checks what only holds for this robot: the start posture inside the arm's limits, the opening inside the gripper's,
+// a reader's answer after its round. Throws ConfigurationError.
 void check_against_robot(const Settings& settings, const robot::RobotDescription& robot);
 
 // "name=value" a line, with the meaning behind it.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "common/robot/configuration_error.hpp"
 #include "services/simulator/random.hpp"
@@ -37,15 +39,25 @@ Simulation::Simulation(robot::RobotDescription robot, Scene scene, const Setting
       seed_(seed),
       timing_(timing),
       world_(robot_, scene_, start, seed),
+      base_(new_base(start, seed, kEpoch_us)),
       gate_(session),
+      base_gate_(session),
       schedule_(start.frames_rate_hz, kTimeStep, 0) {}
+
+std::optional<MobileBase> Simulation::new_base(const Settings& settings, std::uint64_t seed, std::int64_t epoch) const {
+  if (!robot_.base) return std::nullopt;
+  return MobileBase(robot_, scene_, settings, seed, epoch);
+}
 
 void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
   const Settings settings = with(start_, changes);
-  world_ = World(robot_, scene_, settings, seed);
+  World world(robot_, scene_, settings, seed);
+  base_ = new_base(settings, seed, utime() + kResetPause_us);
+  world_ = std::move(world);
   settings_ = settings;
   seed_ = seed;
   gate_.restart(frame_seq_);
+  base_gate_.restart(odometry_seq_);
   delayed_.clear();
   step_count_ += kResetPause_us / kStep_us;
   frame_number_ = 0;
@@ -55,10 +67,12 @@ void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
 
 void Simulation::set(const Assignments& changes) {
   const Settings settings = with(settings_, changes);
+  check_against_robot(settings, robot_);
   for (const auto& change : changes) require_changeable(change.first);
   const bool new_rate = settings.frames_rate_hz != settings_.frames_rate_hz;
   settings_ = settings;
   world_.change(settings_);
+  if (base_) base_->change(settings_);
   if (new_rate) restart_schedule();
 }
 
@@ -69,12 +83,15 @@ void Simulation::restart_schedule() {
 
 void Simulation::stop() {
   gate_.latch();
+  base_gate_.latch();
+  if (base_) base_->freeze();
   delayed_.clear();
   world_.freeze();
 }
 
 void Simulation::release() {
   gate_.unlatch(frame_seq_);
+  base_gate_.unlatch(odometry_seq_);
 }
 
 CommandVerdict Simulation::command(const FrameIdentity& answered, const ArmCommand& command) {
@@ -90,6 +107,22 @@ CommandVerdict Simulation::command(const FrameIdentity& answered, const ArmComma
   return verdict;
 }
 
+CommandVerdict Simulation::command_base(const FrameIdentity& answered, double speed, double turn_rate) {
+  if (!base_) return CommandVerdict::kOtherSession;
+  const CommandVerdict verdict = base_gate_.offer(answered, odometry_seq_, utime());
+  if (verdict == CommandVerdict::kObeyed) base_->command(speed, turn_rate);
+  return verdict;
+}
+
+MobileBaseOutputs Simulation::take_due() {
+  return base_ ? base_->take_due(world_) : MobileBaseOutputs{};
+}
+
+MobileBaseTruth Simulation::base_truth() const {
+  if (!base_) throw std::logic_error("Simulation: the robot has no base");
+  return base_->truth(world_);
+}
+
 void Simulation::step() {
   const std::int64_t now = timing_ == Timing::kLockstep ? frame_number_ : utime();
   if (const auto due = delayed_.take(now)) world_.command(*due);
@@ -97,7 +130,11 @@ void Simulation::step() {
     delayed_.clear();
     world_.freeze();
   }
-  world_.step();
+  if (base_) {
+    base_->step(world_);
+  } else {
+    world_.step();
+  }
   ++step_count_;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
-// The running simulation without the bus: the world, its time, its frames, and which commands move the arm when.
+// The running simulation without the bus: the world, its time, its frames, and which commands move arm and base when.
 // Simulated time begins at a fixed epoch, never goes back, and advances only by step() and reset().
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "services/simulator/delayed_commands.hpp"
 #include "services/simulator/frame_schedule.hpp"
 #include "services/simulator/image_effects.hpp"
+#include "services/simulator/mobile_base.hpp"
 #include "services/simulator/scene.hpp"
 #include "services/simulator/settings.hpp"
 #include "services/simulator/world.hpp"
@@ -32,31 +34,43 @@ using Assignments = std::vector<std::pair<std::string, double>>;
 
 class Simulation {
  public:
-  // `session` is what STEREO_FRAME carries. Throws ConfigurationError if the world cannot be built.
+  // `session` is what STEREO_FRAME and WHEEL_ODOMETRY carry. Throws ConfigurationError if the world cannot be built.
   Simulation(robot::RobotDescription robot, Scene scene, const Settings& start, std::uint64_t seed, Timing timing,
              std::int64_t session);
 
-  // Builds the world anew from the start's settings with `changes` on top; the arm is latched. The clock goes on by a
-  // second, so that whatever was said before is stale. Throws ConfigurationError and changes nothing if it cannot be.
+  // Builds the world anew from the start's settings with `changes` on top; arm and base are latched. The clock goes on
+  // by a second, so that whatever was said before is stale. Throws ConfigurationError and changes nothing if it cannot
+  // be.
   void reset(std::uint64_t seed, const Assignments& changes);
 
   // Changes settings that show at once. Throws ConfigurationError and changes nothing if one cannot be.
   void set(const Assignments& changes);
 
-  // Latches the arm where it is; the grip keeps its force.
+  // Latches the arm where it is, the grip keeps its force; and the base, which brakes.
   void stop();
-  // Unlatches it; it moves when a command answers a frame exposed after this.
+  // Unlatches both; they move when a command answers a frame exposed after this, or an odometry told after this.
   void release();
   bool latched() const { return gate_.latched(); }
 
   // A command that comes now.
   CommandVerdict command(const FrameIdentity& answered, const ArmCommand& command);
-  // How many commands had which verdict.
+  // The same for the base: wanted speed (m/s) and turn rate (rad/s) in answer to an odometry. kOtherSession from a
+  // robot without a base.
+  CommandVerdict command_base(const FrameIdentity& answered, double speed, double turn_rate);
+  // How many of the arm's commands had which verdict.
   const std::map<CommandVerdict, std::int64_t>& verdicts() const { return verdicts_; }
 
   // Lets kTimeStep pass. Throws std::runtime_error if the physics diverged.
   void step();
   std::int64_t utime() const;  // us
+
+  bool has_base() const { return base_.has_value(); }
+  // What the base's devices tell that has become due since the last call; nothing from a robot without a base.
+  MobileBaseOutputs take_due();
+  // What is true about the base. Throws std::logic_error if the robot has none.
+  MobileBaseTruth base_truth() const;
+  // The newest odometry was told as `seq`.
+  void told_odometry(std::int64_t seq) { odometry_seq_ = seq; }
 
   // True when the next frame's exposure is now.
   bool frame_due() const { return step_count_ >= schedule_.next(); }
@@ -76,6 +90,7 @@ class Simulation {
  private:
   std::uint64_t frame_number() const { return static_cast<std::uint64_t>(frame_number_); }
   void restart_schedule();
+  std::optional<MobileBase> new_base(const Settings& settings, std::uint64_t seed, std::int64_t epoch) const;
 
   robot::RobotDescription robot_;
   Scene scene_;
@@ -84,12 +99,15 @@ class Simulation {
   std::uint64_t seed_;
   Timing timing_;
   World world_;
+  std::optional<MobileBase> base_;
   CommandGate gate_;
+  CommandGate base_gate_;
   DelayedCommands delayed_;
   FrameSchedule schedule_;
   std::int64_t step_count_ = 0;    // since the start; time is counted by it
   std::int64_t frame_number_ = 0;  // since the reset, of the exposed frame; 0 before the first
   std::int64_t frame_seq_ = 0;     // of the exposed frame, as last sent
+  std::int64_t odometry_seq_ = 0;  // of the newest odometry told
   std::int64_t first_seq_ = 0;     // of the exposed frame, as first sent
   std::int64_t exposed_step_ = -1;
   std::map<CommandVerdict, std::int64_t> verdicts_;

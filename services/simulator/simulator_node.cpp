@@ -20,19 +20,23 @@
 namespace markservo::simulator {
 namespace {
 
-using std::chrono::duration;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr std::int64_t kJointStatePeriod_us = 10'000;
-// A frame that nobody could answer yet is sent again, ever less often: an answer may take long on a busy machine.
-constexpr milliseconds kFirstRepeat{500};
-constexpr milliseconds kLongestRepeat{2000};
-constexpr milliseconds kPatience{1000};  // before the state says what is waited for
 constexpr milliseconds kSlipLimit{100};  // how far simulated time may fall behind before it slips
 
-const std::vector<std::string> kAnsweringChannels = {"JOINT_COMMAND", "TASK_STATE",     "SERVO_STATUS",
-                                                     "TARGET_POSE",   "MARK_DETECTION", "SIM_CONTROL"};
+std::vector<std::string> answering_channels() {
+  std::vector<std::string> channels = {"JOINT_COMMAND", "TASK_STATE",     "SERVO_STATUS",
+                                       "TARGET_POSE",   "MARK_DETECTION", "SIM_CONTROL"};
+  for (const std::string& channel : BasePorts::answering_channels()) channels.push_back(channel);
+  return channels;
+}
+
+bool answers_odometry(const std::string& channel) {
+  const auto& channels = BasePorts::answering_channels();
+  return std::find(channels.begin(), channels.end(), channel) != channels.end();
+}
 
 std::string settings_help() {
   std::string names;
@@ -46,10 +50,10 @@ void SimulatorNode::add_options(CLI::App& app) {
   app.add_option("--scene", scene_file_, "The world around the robot")->capture_default_str();
   app.add_option("--seed", seed_, "Seed of all that is random")->check(CLI::NonNegativeNumber)->capture_default_str();
   app.add_option("--set", assignments_, settings_help());
-  app.add_flag("--lockstep", lockstep_, "Stand still until every awaited channel has answered the frame");
+  app.add_flag("--lockstep", lockstep_, "Stand still until every awaited channel has answered the frame or odometry");
   app.add_option("--wait-for", wait_for_, "Channels awaited in lockstep")
       ->delimiter(',')
-      ->check(CLI::IsMember(kAnsweringChannels))
+      ->check(CLI::IsMember(answering_channels()))
       ->capture_default_str();
   app.add_option("--lockstep-timeout", lockstep_timeout_s_,
                  "Wait for answers at most this long, s; then the run is invalid")
@@ -68,9 +72,13 @@ void SimulatorNode::add_options(CLI::App& app) {
 void SimulatorNode::configure(const std::string& robot_file) {
   robot_ = robot::load_robot_description(robot_file);
   scene_ = load_scene(scene_file_, robot_);
-  settings_ = default_settings(robot_, lockstep_);
+  settings_ = default_settings(robot_, scene_, lockstep_);
   for (const std::string& assignment : assignments_) set_from_text(settings_, assignment);
   check_against_robot(settings_, robot_);
+  if (lockstep_ && !robot_.base && std::any_of(wait_for_.begin(), wait_for_.end(), answers_odometry)) {
+    throw ConfigurationError("--wait-for names an answer to WHEEL_ODOMETRY; allowed: with section 'base' in " +
+                             robot_file);
+  }
   if (list_settings_) return;
   try {
     renderer_ = std::make_unique<StereoRenderer>();
@@ -128,9 +136,16 @@ void SimulatorNode::subscribe(bus::Bus& bus) {
   bus.on_each<JointCommand>("JOINT_COMMAND", [this](const JointCommand& message) { on_joint_command(message); });
   bus.on_each_from_many<StopRequest>("STOP", [this](const StopRequest& message) { on_stop(message); });
   bus.on_each_from_many<SimControl>("SIM_CONTROL", [this](const SimControl& message) { on_control(message); });
-  if (!lockstep_) return;
-  barrier_ = LockstepBarrier(wait_for_);
-  for (const std::string& channel : wait_for_) await_channel(bus, channel);
+  std::vector<std::string> frame_answers;
+  std::vector<std::string> odometry_answers;
+  if (lockstep_) {
+    for (const std::string& channel : wait_for_) {
+      (answers_odometry(channel) ? odometry_answers : frame_answers).push_back(channel);
+    }
+  }
+  if (simulation_->has_base()) base_ = std::make_unique<BasePorts>(bus, *simulation_, odometry_answers);
+  barrier_ = LockstepBarrier(frame_answers);
+  for (const std::string& channel : frame_answers) await_channel(bus, channel);
 }
 
 void SimulatorNode::await_channel(bus::Bus& bus, const std::string& channel) {
@@ -172,7 +187,7 @@ void SimulatorNode::on_stop(const StopRequest& message) {
     }
     spdlog::info("STOP {} by {}", message.kind == StopRequest::STOP ? "latched" : "reset", stop_reason_);
   }
-  publish_stop_state();
+  publish_stop_states();
 }
 
 void SimulatorNode::on_control(const SimControl& message) {
@@ -206,6 +221,7 @@ void SimulatorNode::obey_control(const SimControl& message) {
   stop_reason_ = "the world was reset";
   valid_ = true;
   world_is_new_ = true;
+  ++resets_;
 }
 
 void SimulatorNode::run(bus::Bus& bus) {
@@ -218,42 +234,33 @@ void SimulatorNode::run(bus::Bus& bus) {
 
 void SimulatorNode::run_lockstep(bus::Bus& bus) {
   while (true) {
+    const std::int64_t resets = resets_;
+    if (publish_base() && !wait_for_answers(bus, odometry_wait_, base_->barrier(), "an odometry")) return;
+    if (resets != resets_) continue;
+    if (!world_is_new_ && frame_seq_ > 0 && !simulation_->frame_due()) {
+      step();
+      continue;
+    }
     expose_frame();
     const bool lost = simulation_->dropped();
-    if (!lost && !wait_for_answers(bus)) return;
+    if (!lost && !wait_for_answers(bus, frame_wait_, barrier_, "a frame")) return;
     if (lost && !bus.poll(milliseconds(0))) return;
-    while (!world_is_new_ && !simulation_->frame_due()) step();
+    if (resets == resets_) step();
   }
 }
 
-bool SimulatorNode::wait_for_answers(bus::Bus& bus) {
-  const SteadyTime begin = steady_clock::now();
-  SteadyTime published = begin;
-  milliseconds repeat = kFirstRepeat;
-  while (!barrier_.complete()) {
-    if (!bus.poll(milliseconds(20))) return false;
-    if (world_is_new_) return true;
-    const SteadyTime now = steady_clock::now();
-    if (now - begin > kPatience) bus.set_state("waiting", "for " + barrier_.missing());
-    if (!answered_once_) {
-      // Nothing runs yet that could answer: services may start in any order.
-      if (now - published < repeat) continue;
-      expose_frame();
-      published = now;
-      repeat = std::min(2 * repeat, kLongestRepeat);
-      continue;
-    }
-    if (now - begin < duration<double>(lockstep_timeout_s_)) continue;
+bool SimulatorNode::wait_for_answers(bus::Bus& bus, LockstepWait& wait, const LockstepBarrier& barrier,
+                                     const char* what) {
+  resets_before_wait_ = resets_;
+  const LockstepWait::Outcome outcome = wait.run(bus, barrier, lockstep_timeout_s_);
+  if (outcome == LockstepWait::Outcome::kTimedOut) {
     if (valid_) {
-      spdlog::error("frame {}: no answer on {} within {} s: this run is invalid until the next RESET", frame_seq_,
-                    barrier_.missing(), lockstep_timeout_s_);
+      spdlog::error("{}, {} us after the epoch: no answer on {} within {} s: this run is invalid until the next RESET",
+                    what, simulation_->utime() - kEpoch_us, barrier.missing(), lockstep_timeout_s_);
     }
     valid_ = false;
-    return true;
   }
-  answered_once_ = true;
-  bus.set_state("lockstep");
-  return true;
+  return outcome != LockstepWait::Outcome::kEnded;
 }
 
 void SimulatorNode::run_real_time(bus::Bus& bus) {
@@ -261,6 +268,7 @@ void SimulatorNode::run_real_time(bus::Bus& bus) {
   SteadyTime start = steady_clock::now();
   std::int64_t start_utime = simulation_->utime();
   while (true) {
+    publish_base();
     if (world_is_new_ || simulation_->frame_due()) expose_frame();
     const SteadyTime now = steady_clock::now();
     SteadyTime wanted = start + std::chrono::microseconds(simulation_->utime() - start_utime);
@@ -275,6 +283,7 @@ void SimulatorNode::run_real_time(bus::Bus& bus) {
     // In bites of one joint state, so that commands are taken in at 100 Hz.
     do {
       step();
+      publish_base();
     } while (!simulation_->frame_due() && (simulation_->utime() - kEpoch_us) % kJointStatePeriod_us != 0);
   }
 }
@@ -287,18 +296,19 @@ void SimulatorNode::step() {
     simulation_->reset(simulation_->seed(), {});
     valid_ = false;
     world_is_new_ = true;
+    ++resets_;
     stop_reason_ = error.what();
   }
   const bool exposure = simulation_->frame_due();  // then the joints are told at the exposure itself
   if (exposure || (simulation_->utime() - kEpoch_us) % kJointStatePeriod_us == 0) publish_joint_state();
-  if (stop_state_timer_.due(simulation_->utime())) publish_stop_state();
+  if (stop_state_timer_.due(simulation_->utime())) publish_stop_states();
 }
 
 void SimulatorNode::expose_frame() {
   const bool repeated = frame_seq_ > 0 && !world_is_new_ && truth_.utime == simulation_->utime();
   if (world_is_new_ || repeated || frame_seq_ == 0) {
     publish_joint_state();
-    publish_stop_state();
+    publish_stop_states();
   }
   world_is_new_ = false;
   simulation_->expose(++frame_seq_);
@@ -343,16 +353,28 @@ void SimulatorNode::publish_joint_state() {
   joint_states_->publish(message);
 }
 
-void SimulatorNode::publish_stop_state() {
+void SimulatorNode::publish_stop_states() {
   StopState message{};
   message.utime = simulation_->utime();
-  message.device = "arm";
   message.latched = simulation_->latched() ? 1 : 0;
   message.request_session = stops_.session();
   message.request_id = stops_.id();
   message.reason = stop_reason_;
-  stop_states_->publish(message);
+  for (const char* device : {"arm", "base"}) {
+    if (device == std::string("base") && !base_) continue;
+    message.device = device;
+    stop_states_->publish(message);
+  }
   stop_state_timer_.restart(message.utime);
+}
+
+void SimulatorNode::repeat_odometry() {
+  publish_stop_states();
+  base_->repeat();
+}
+
+bool SimulatorNode::publish_base() {
+  return base_ && base_->publish_due();
 }
 
 }  // namespace markservo::simulator

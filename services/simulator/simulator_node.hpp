@@ -17,14 +17,16 @@
 #include "common/bus/command_inbox.hpp"
 #include "common/bus/repeat_timer.hpp"
 #include "common/bus/service.hpp"
+#include "services/simulator/base_ports.hpp"
 #include "services/simulator/lockstep_barrier.hpp"
+#include "services/simulator/lockstep_wait.hpp"
 #include "services/simulator/simulation.hpp"
 #include "services/simulator/stereo_renderer.hpp"
 
 namespace markservo::simulator {
 
-// The simulated robot on the bus: STEREO_FRAME, JOINT_STATE, STOP_STATE and SIM_TRUTH out; JOINT_COMMAND, STOP and
-// SIM_CONTROL in. Real time unless --lockstep.
+// The simulated robot on the bus: STEREO_FRAME, JOINT_STATE, STOP_STATE and SIM_TRUTH out, and what its base says;
+// JOINT_COMMAND, BASE_COMMAND, STOP and SIM_CONTROL in. Real time unless --lockstep.
 class SimulatorNode : public bus::Service {
  public:
   void add_options(CLI::App& app) override;
@@ -48,13 +50,16 @@ class SimulatorNode : public bus::Service {
   void run_lockstep(bus::Bus& bus);
   void run_real_time(bus::Bus& bus);
   // Until all awaited channels answered, the wait timed out, or the world was reset. False when the service shall end.
-  bool wait_for_answers(bus::Bus& bus);
+  bool wait_for_answers(bus::Bus& bus, LockstepWait& wait, const LockstepBarrier& barrier, const char* what);
 
   void step();
   void expose_frame();
   void publish_truth();
   void publish_joint_state();
-  void publish_stop_state();
+  void publish_stop_states();
+  // True if an odometry went out.
+  bool publish_base();
+  void repeat_odometry();
   ImagePair draw();
 
   std::string scene_file_ = "config/scenes/shelf.yaml";
@@ -78,7 +83,8 @@ class SimulatorNode : public bus::Service {
   std::optional<bus::Publisher<JointState>> joint_states_;
   std::optional<bus::Publisher<StopState>> stop_states_;
   std::optional<bus::Publisher<SimTruth>> truths_;
-  LockstepBarrier barrier_{{}};
+  std::unique_ptr<BasePorts> base_;  // null: the robot has none
+  LockstepBarrier barrier_{{}};      // of frames
   bus::CommandInbox stops_;
   bus::CommandInbox controls_;
   bus::RepeatTimer stop_state_timer_{bus::kStateRepeat_us};
@@ -87,9 +93,12 @@ class SimulatorNode : public bus::Service {
   SimTruth truth_{};  // of the newest frame
   std::int64_t frame_seq_ = 0;
   bool raw_ = true;
-  bool answered_once_ = false;  // all awaited channels, to some frame
   bool valid_ = true;
   bool world_is_new_ = false;  // after a reset: a frame is due at once
+  std::int64_t resets_ = 0;
+  std::int64_t resets_before_wait_ = 0;
+  LockstepWait frame_wait_{[this] { expose_frame(); }, [this] { return resets_ != resets_before_wait_; }};
+  LockstepWait odometry_wait_{[this] { repeat_odometry(); }, [this] { return resets_ != resets_before_wait_; }};
 };
 
 }  // namespace markservo::simulator

@@ -12,7 +12,9 @@
 
 #include "common/robot/configuration_error.hpp"
 #include "services/simulator/box_contacts.hpp"
+#include "services/simulator/room_model.hpp"
 #include "services/simulator/scene_model.hpp"
+#include "services/simulator/surroundings.hpp"
 
 namespace markservo::simulator {
 namespace {
@@ -64,9 +66,10 @@ void paint(mjModel* model, const SceneModel& scene_model) {
   }
 }
 
-// Numbers a vector and a rotation matrix take in MuJoCo's arrays.
+// Numbers a vector, a rotation matrix and a quaternion take in MuJoCo's arrays.
 constexpr std::ptrdiff_t kVector = 3;
 constexpr std::ptrdiff_t kMatrix = 9;
+constexpr std::ptrdiff_t kQuaternion = 4;
 
 Eigen::Vector3d vector(const mjtNum* v) {
   return {v[0], v[1], v[2]};
@@ -90,7 +93,12 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 World::World(const robot::RobotDescription& robot, const Scene& scene, const Settings& settings, std::uint64_t seed)
-    : id_(next_id()), robot_(robot), settings_(settings) {
+    : id_(next_id()),
+      robot_(robot),
+      settings_(settings),
+      scene_frame_(scene.dock.X_WD(), robot.cameras.p_RC),
+      floor_z_(scene.room.floor_z),
+      X_WR_(pose_from_degrees(settings.base_start_x, settings.base_start_y, settings.base_start_heading_deg)) {
   check_against_robot(settings, robot);
   drop_impossible_box_contacts();
   // MuJoCo would write a log file into the working folder; step() looks at the warnings' counters instead.
@@ -99,6 +107,9 @@ World::World(const robot::RobotDescription& robot, const Scene& scene, const Set
   model_.reset(compile(scene_model));
   paint(model_.get(), scene_model);
   data_.reset(mj_makeData(model_.get()));
+  base_.emplace(model_.get());
+  base_->put(data_.get(), scene_frame_.camera(X_WR_));
+  put_obstacle();
 
   const double start_deg[] = {settings.arm_start_yaw_deg, settings.arm_start_shoulder_deg,
                               settings.arm_start_elbow_deg};
@@ -131,6 +142,7 @@ World::World(const robot::RobotDescription& robot, const Scene& scene, const Set
   touched_.clear();
   mj_step1(model_.get(), data_.get());
   for (const int body : book_bodies_) book_lowest_.push_back(lowest_point(body));
+  if (robot.base) standing_boxes_ = standing_boxes(model_.get(), data_.get(), floor_z_ + 0.001, robot.arm->p_CA.z());
 }
 
 int World::body_id(const std::string& name) const {
@@ -141,6 +153,30 @@ void World::change(const Settings& settings) {
   for (const SettingDescription& setting : setting_descriptions()) {
     if (setting.takes_effect == TakesEffect::kAtOnce) settings_.*setting.value = settings.*setting.value;
   }
+  put_obstacle();
+}
+
+void World::put_obstacle() {
+  constexpr double kOutOfTheWorld = -100.0;  // m, z
+  const int body = body_id(kObstacle);
+  const int geom = model_->body_geomadr[body];
+  mjtNum* const half = model_->geom_size + kVector * geom;
+  half[0] = half[1] = 0.5 * settings_.obstacle_size;
+  model_->geom_rbound[geom] = vector(half).norm();
+  const Eigen::Vector2d p_S = scene_frame_.place({settings_.obstacle_x, settings_.obstacle_y});
+  mjtNum* const position = data_->mocap_pos + kVector * model_->body_mocapid[body];
+  position[0] = p_S.x();
+  position[1] = p_S.y();
+  position[2] = settings_.obstacle_present != 0.0 ? floor_z_ + 0.5 * kObstacleHeight : kOutOfTheWorld;
+  const double turn = 0.5 * scene_frame_.camera({}).heading;  // its sides lie along W's axes
+  mjtNum* const quaternion = data_->mocap_quat + kQuaternion * model_->body_mocapid[body];
+  quaternion[0] = std::cos(turn);
+  quaternion[3] = std::sin(turn);
+}
+
+void World::move_base(const PlanarPose& X_WR) {
+  X_WR_ = X_WR;
+  base_->aim(scene_frame_.camera(X_WR));
 }
 
 void World::command(const ArmCommand& command) {
@@ -197,11 +233,13 @@ void World::drive_gripper() {
 }
 
 void World::step() {
+  base_->depart(data_.get(), kTimeStep);
   mj_step1(model_.get(), data_.get());
   watch_contacts();
   drive_joints();
   drive_gripper();
   mj_step2(model_.get(), data_.get());
+  base_->arrive(data_.get());
   // MuJoCo answers divergence by putting its own state back to the start, silently: that must never pass as physics.
   for (const int warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC}) {
     if (data_->warning[warning].number > 0) throw std::runtime_error("the simulated physics diverged");
@@ -210,8 +248,9 @@ void World::step() {
 
 const char* World::body_name(int geom) const {
   const int body = model_->geom_bodyid[geom];
+  const bool of_many_parts = body == 0 || body == body_id(kRobotBase);
   const char* name =
-      body == 0 ? mj_id2name(model_.get(), mjOBJ_GEOM, geom) : mj_id2name(model_.get(), mjOBJ_BODY, body);
+      of_many_parts ? mj_id2name(model_.get(), mjOBJ_GEOM, geom) : mj_id2name(model_.get(), mjOBJ_BODY, body);
   return name == nullptr ? "unnamed" : name;
 }
 
@@ -228,6 +267,35 @@ void World::watch_contacts() {
     touched_ = std::string(body_name(arm_geom)) + " - " + body_name(other_geom);
     return;
   }
+}
+
+std::vector<std::optional<double>> World::cast_rays(const std::vector<Ray>& rays_R) {
+  mj_kinematics(model_.get(), data_.get());
+  const Eigen::Isometry3d X_SC = base_->X_SC();
+  std::vector<Ray> rays_S;
+  rays_S.reserve(rays_R.size());
+  for (const Ray& ray : rays_R) {
+    const Eigen::Vector2d p_C = scene_frame_.in_camera(ray.origin.head<2>());
+    const Eigen::Vector3d direction_C(-ray.direction.y(), ray.direction.x(), ray.direction.z());
+    rays_S.push_back(
+        {X_SC * Eigen::Vector3d(p_C.x(), p_C.y(), floor_z_ + ray.origin.z()), X_SC.linear() * direction_C});
+  }
+  return simulator::cast_rays(model_.get(), data_.get(), rays_S);
+}
+
+double World::clearance() const {
+  double nearest = std::numeric_limits<double>::infinity();
+  if (!robot_.base) return nearest;
+  const robot::BaseDescription& base = *robot_.base;
+  const Eigen::Vector2d half(0.5 * (base.front + base.rear), base.half_width);
+  const Eigen::Vector2d middle = X_WR_ * Eigen::Vector2d(0.5 * (base.front - base.rear), 0.0);
+  const Footprint outline{scene_frame_.place(middle), half, scene_frame_.forward(X_WR_)};
+  for (const int box : standing_boxes_) {
+    const Footprint other = footprint_of(model_.get(), data_.get(), box);
+    const bool there = data_->geom_xpos[kVector * box + 2] > floor_z_;
+    if (there) nearest = std::min(nearest, distance(outline, other));
+  }
+  return nearest;
 }
 
 ArmReading World::arm() const {
@@ -253,10 +321,11 @@ double World::lowest_point(int body) const {
 WorldTruth World::truth() {
   mj_step1(model_.get(), data_.get());
   watch_contacts();
+  const Eigen::Isometry3d X_CS = base_->X_SC().inverse();
   WorldTruth truth;
   for (std::size_t i = 0; i < joints_.size(); ++i)
     truth.shaft[static_cast<Eigen::Index>(i)] = data_->qpos[joints_[i].qpos];
-  truth.p_CG = vector(data_->site_xpos + kVector * grip_site_);
+  truth.p_CG = X_CS * vector(data_->site_xpos + kVector * grip_site_);
   for (const JointDrive& finger : fingers_) truth.gripper_opening += data_->qpos[finger.qpos];
   truth.arm_touched = arm_touched_;
   truth.touched = touched_;
@@ -265,8 +334,8 @@ WorldTruth World::truth() {
     const int body = book_bodies_[i];
     BodyTruth book;
     book.name = mj_id2name(model_.get(), mjOBJ_BODY, body);
-    book.X_CB.translation() = vector(data_->xpos + kVector * body);
-    book.X_CB.linear() = matrix(data_->xmat + kMatrix * body);
+    book.X_CB.translation() = X_CS * vector(data_->xpos + kVector * body);
+    book.X_CB.linear() = X_CS.linear() * matrix(data_->xmat + kMatrix * body);
     book.height_gain = lowest_point(body) - book_lowest_[i];
     for (int c = 0; c < data_->ncon; ++c) {
       const int body1 = model_->geom_bodyid[data_->contact[c].geom1];
@@ -289,8 +358,8 @@ WorldTruth World::truth() {
     if (geom < 0) continue;  // a mark of robot.yaml that this scene does not have
     MarkTruth mark;
     mark.name = description.name;
-    mark.normal_C = matrix(data_->geom_xmat + kMatrix * geom).col(2);
-    mark.p_CM = vector(data_->geom_xpos + kVector * geom) + 0.5 * kPrintThickness * mark.normal_C;
+    mark.normal_C = X_CS.linear() * matrix(data_->geom_xmat + kMatrix * geom).col(2);
+    mark.p_CM = X_CS * vector(data_->geom_xpos + kVector * geom) + 0.5 * kPrintThickness * mark.normal_C;
     truth.marks.push_back(std::move(mark));
   }
   return truth;

@@ -1,19 +1,23 @@
 #pragma once
 
-// The simulated world: the robot's arm, books that contact and friction alone hold, and what is true about them. No
-// clock: the caller steps it. Frame C throughout.
+// The simulated world: the robot's arm on its base, books that contact and friction alone hold, and what is true about
+// them. No clock: the caller steps it. Frame C throughout, wherever the base is, unless a name says otherwise.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
+#include "services/simulator/base_body.hpp"
 #include "services/simulator/scene.hpp"
+#include "services/simulator/scene_frame.hpp"
 #include "services/simulator/servo_model.hpp"
 #include "services/simulator/settings.hpp"
+#include "services/simulator/sonar_model.hpp"
 
 struct mjModel_;
 struct mjData_;
@@ -77,12 +81,22 @@ class World {
   // The arm's and the gripper's ramps stop where they are; the grip keeps its force.
   void freeze();
 
+  // Where the base shall be after the next step, X_WR. It begins where the settings start it.
+  void move_base(const PlanarPose& X_WR);
+
   // Lets kTimeStep pass.
   void step();
 
   ArmReading arm() const;
   // What is true now. Also brings the model's poses up to date for drawing.
   WorldTruth truth();
+
+  // m, how far each ray from the robot, in R, goes until it meets something that is not the robot; nothing if it never
+  // does.
+  std::vector<std::optional<double>> cast_rays(const std::vector<Ray>& rays_R);
+  // m, from the base's outline to the nearest thing that stands on the floor; 0 if they touch. Of a robot without a
+  // base: infinity.
+  double clearance() const;
 
   // Another one for each World that was ever built in this process.
   std::uint64_t id() const { return id_; }
@@ -102,6 +116,7 @@ class World {
     ServoModel servo{0.0};
   };
 
+  void put_obstacle();
   void drive_joints();
   void drive_gripper();
   void watch_contacts();
@@ -115,6 +130,11 @@ class World {
   Settings settings_;
   std::unique_ptr<mjModel_, ModelDeleter> model_;
   std::unique_ptr<mjData_, DataDeleter> data_;
+  SceneFrame scene_frame_;
+  double floor_z_;  // m in S
+  std::optional<BaseBody> base_;
+  PlanarPose X_WR_;
+  std::vector<int> standing_boxes_;
   std::vector<JointDrive> joints_;
   std::vector<JointDrive> fingers_;  // their servo models are unused: the opening's ramp drives both
   std::vector<int> book_bodies_;

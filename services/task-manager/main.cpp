@@ -5,7 +5,7 @@ int main(int argc, char** argv) {
   markservo::task_manager::TaskManagerNode node;
   return markservo::bus::run_service(
       {"task-manager",
-       "Takes an object: TASK_COMMAND, TARGET_POSE, SERVO_STATUS, JOINT_STATE, STOP_STATE to SERVO_GOAL, "
-       "TASK_STATE"},
+       "Takes an object: TASK_COMMAND, TARGET_POSE, SERVO_STATUS, JOINT_STATE, STOP_STATE, BASE_STATUS to "
+       "SERVO_GOAL, BASE_GOAL, TASK_STATE"},
       node, argc, argv);
 }

@@ -6,6 +6,16 @@ void add_parameter_options(CLI::App& app, Parameters& p) {
   const auto number = [&app](const char* name, double& value, double least, double greatest, const char* text) {
     app.add_option(name, value, text)->check(CLI::Range(least, greatest))->capture_default_str();
   };
+  number("--drive-speed", p.drive.speed, 0.01, 10.0, "m/s, of the base, at most");
+  number("--drive-clearance", p.drive.clearance, 0.0, 5.0, "m, how near the base may come to what its sonars see");
+  number("--drive-settle-time", p.drive.settle_time, 0.0, 60.0, "s, from arrival to the first picture that counts");
+  number("--drive-stuck-timeout", p.drive.stuck_timeout, 0.5, 3600.0, "s, the base blocked or lost: give up");
+  number("--drive-silent-timeout", p.drive.silent_timeout, 0.2, 120.0, "s, base-navigator silent or its input stale");
+  number("--drive-timeout", p.drive.timeout, 1.0, 36000.0, "s, for each drive");
+  app.add_option("--drive-corrections", p.drive.corrections, "Drives that may follow to bring the target within reach")
+      ->check(CLI::Range(0, 10))
+      ->capture_default_str();
+  number("--drive-target-depth", p.drive.target_depth, 0.05, 2.0, "m before the lenses, where those bring the target");
   app.add_option("--look-frames", p.look.frames, "Frames averaged before deciding")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();

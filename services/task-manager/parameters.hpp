@@ -10,6 +10,19 @@ struct LookParameters {
   double timeout = 4.0;      // for `frames` of them, and for the first word of the arm and its stop device
 };
 
+struct DriveParameters {
+  double speed = 0.40;
+  double clearance = 0.08;       // docked, a shelf is 0.126 m ahead and a table's leg 0.15 m beside; sonars err by 1 cm
+  double home_tolerance = 0.05;  // rad, each joint: deadband and backlash of a folded arm
+  double settle_time = 0.5;      // from arrival to the first picture that counts: the robot has swung out
+  double stuck_timeout = 20.0;   // blocked or lost for so long: give up
+  double silent_timeout = 2.0;   // nothing heard, or stale input told, for so long: a restarted service is back by then
+  double timeout = 120.0;        // for each drive
+  int corrections = 2;           // drives that follow when the target is seen where it cannot be taken
+  double correction_max = 0.30;  // of one of them; further off is another mistake than a dock's
+  double target_depth = 0.25;    // depth in C that a correction brings the target to: the workspace's middle
+};
+
 struct MotionParameters {
   double free_speed = 0.20;    // before the books
   double near_speed = 0.08;    // among the books, and with a book in the hand
@@ -79,6 +92,7 @@ struct CarryParameters {
 };
 
 struct Parameters {
+  DriveParameters drive;
   LookParameters look;
   MotionParameters motion;
   ApproachParameters approach;

@@ -11,6 +11,8 @@ namespace markservo::task_manager {
 
 void ProcedureStep::run_phase() {
   switch (s_.phase) {
+    case Phase::kDrive:
+      return drive();
     case Phase::kLook:
       return look();
     case Phase::kApproach:
@@ -48,8 +50,7 @@ void ProcedureStep::look() {
   } else if (seconds_between(s_.seen_utime, in_.utime) > p_.look.unseen_time) {
     tell_why_unseen();
   } else if (waited() > p_.look.timeout) {
-    if (!in_.arm) return not_taken("the arm does not answer: no JOINT_STATE");
-    if (!in_.stop.known) return not_taken("not every stop device answers: no STOP_STATE of " + in_.stop.silent);
+    if (!in_.arm || !in_.stop.known) return not_taken(who_is_silent());
     not_taken("out_of_view: the mark of " + s_.task.target + " was located in " +
               std::to_string(s_.target_mean.count()) + " frames only");
   }
@@ -68,12 +69,19 @@ void ProcedureStep::tell_why_unseen() {
   not_taken(reason);
 }
 
-// The target cannot be taken: refused, or failed when the arm has tried once.
+std::string ProcedureStep::who_is_silent() const {
+  if (!in_.arm) return "the arm does not answer: no JOINT_STATE";
+  return "not every stop device answers: no STOP_STATE of " + in_.stop.silent;
+}
+
+// The target cannot be taken: refused, or failed when the base has driven or the arm has tried once.
 void ProcedureStep::not_taken(const std::string& reason) {
-  if (s_.attempt == 1) {
-    refuse(reason);
-  } else {
+  if (s_.attempt > 1) {
     fail(s_.failure + "; and then: " + reason);
+  } else if (s_.driven) {
+    fail("after the drive: " + reason);
+  } else {
+    refuse(reason);
   }
 }
 
@@ -102,7 +110,7 @@ void ProcedureStep::decide() {
       if (!way.trouble.empty()) trouble = "unreachable: it could not be carried: " + way.trouble;
     }
   }
-  if (!trouble.empty()) return not_taken(trouble);
+  if (!trouble.empty()) return corrects_the_stand(trouble) ? void() : not_taken(trouble);
   s_.standoff = plan.standoff;
   s_.p_CG_first = plan.p_CG_first;
   s_.check_height = check_height(robot_, p_, target(), s_.p_CT);

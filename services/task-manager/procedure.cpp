@@ -33,6 +33,7 @@ void ProcedureStep::run() {
   watch_the_servo();
   if (under_way(s_.phase)) run_phase();
   if (s_.goal.id == 0 && in_.arm && robot_.arm) hold();
+  command_the_base();
 
   const bool send_goal = s_.goal.id != 0 && (s_.goal_is_new || s_.repeat.due(in_.utime));
   if (send_goal) {
@@ -65,9 +66,9 @@ void ProcedureStep::watch_the_stop_devices() {
   const bool known_before = std::exchange(s_.stop_was_known, in_.stop.known);
   const bool latched_before = std::exchange(s_.stop_was_latched, in_.stop.latched);
   // The first word of a stop device may tell of a stop that is reset by now: a task that waited for it goes on.
-  const bool first_word = s_.phase == Phase::kLook && !known_before && s_.attempt == 1;
+  const bool first_word = !known_before && waits_for_first_word();
   const bool stopped = in_.stop.latched || (in_.stop.meanwhile && !first_word);
-  if (!in_.stop.known && known_before && under_way(s_.phase) && s_.phase != Phase::kLook) {
+  if (!in_.stop.known && known_before && under_way(s_.phase) && s_.phase != Phase::kLook && !waits_for_first_word()) {
     stop("a stop device is silent: no STOP_STATE of " + in_.stop.silent);
   }
   if (stopped && (under_way(s_.phase) || s_.phase == Phase::kHoldLifted)) {
@@ -144,6 +145,7 @@ std::string ProcedureStep::why_no_task(const Command& command) const {
     return "unknown target '" + command.target + "'; the robot's description has: " + known;
   }
   if (!mark->grip) return "the description of " + command.target + " has no section 'grip': it cannot be taken";
+  if (command.drive_pose && !robot_.base) return "the robot cannot drive: its description has no section 'base'";
   if (in_.stop.latched) return "stop is latched: reset it first (" + in_.stop.reason + ")";
   if (s_.holding.something) return "the hand holds " + s_.task.target + ": send HOME first, which puts it back";
   return "";
@@ -167,12 +169,12 @@ void ProcedureStep::start(const Command& command) {
   s_.task = command;
   s_.attempt = 1;
   s_.result = Result::kNone;
-  if (why.empty()) {
-    s_.target_mean = MarkAverage();
-    enter(Phase::kLook, "looking for the mark of " + command.target);
-  } else {
-    refuse(why);
-  }
+  s_.driven = false;
+  s_.corrections = 0;
+  if (!why.empty()) return refuse(why);
+  if (command.drive_pose) return enter(Phase::kDrive, "making ready to drive");
+  s_.target_mean = MarkAverage();
+  enter(Phase::kLook, "looking for the mark of " + command.target);
 }
 
 void ProcedureStep::home() {

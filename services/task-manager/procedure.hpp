@@ -7,6 +7,10 @@
 //             v                    '-- LOOK <- RELEASE <----'  once, when the object did not come along
 //          REFUSED               any -> FAILED; STOP or ABORT: any -> STOPPED
 //
+// A task with a pose to drive to begins with DRIVE: the arm folds, the base drives, the robot stands a moment. When
+// LOOK then finds the target where it cannot be taken, DRIVE brings the robot nearer, a few times. In every other
+// phase, and without a task, the base is told to hold.
+//
 // Commands: each is executed once. START and HOME while a task is running are answered and ignored, with a notice;
 // ABORT ends any task where the arm is. HOME with an object held over its place puts it back first; START is refused
 // while the hand holds one. After STOP a new START is needed.
@@ -18,6 +22,7 @@
 
 #include "common/bus/command_inbox.hpp"
 #include "common/bus/repeat_timer.hpp"
+#include "services/task-manager/drive_watch.hpp"
 #include "services/task-manager/lift_check.hpp"
 #include "services/task-manager/move_watch.hpp"
 #include "services/task-manager/parameters.hpp"
@@ -48,6 +53,14 @@ struct State {
   Goal goal;
   bool goal_is_new = false;
   bus::RepeatTimer repeat{bus::kStateRepeat_us};
+
+  DriveGoal drive_goal;
+  bool drive_goal_is_new = false;
+  bus::RepeatTimer drive_repeat{bus::kStateRepeat_us};
+  DriveProgress drive_progress;
+  std::string driving_words;  // where to, for people
+  bool driven = false;        // the base was told to drive for this task
+  int corrections = 0;        // drives after the first
 
   int stage = 0;                // within a phase
   std::int64_t since = 0;       // us, begin of the stage

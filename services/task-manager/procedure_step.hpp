@@ -1,6 +1,6 @@
 #pragma once
 
-// One step of the procedure, at work. Private to procedure.cpp and phases.cpp.
+// One step of the procedure, at work. Private to procedure.cpp, drive.cpp and phases.cpp.
 
 #include "services/task-manager/approach_plan.hpp"
 #include "services/task-manager/procedure.hpp"
@@ -43,11 +43,23 @@ class ProcedureStep {
   const robot::ArmDescription& arm() const { return *robot_.arm; }
   MarkReport sight_of(const std::string& name) const;
 
+  // drive.cpp: before figure 11.
+  void drive();
+  void make_ready();
+  void drive_to(bool from_robot, const FloorPose& pose);
+  void watch_the_drive();
+  bool corrects_the_stand(const std::string& trouble);
+  bool may_drive() const;
+  bool waits_for_first_word() const;
+  void send(DriveGoal goal);
+  void command_the_base();
+
   // phases.cpp: figure 11.
   void run_phase();
   void look();
   void decide();
   void not_taken(const std::string& reason);
+  std::string who_is_silent() const;
   void tell_why_unseen();
   void approach();
   void begin_servo(int stage);

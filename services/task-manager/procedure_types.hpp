@@ -1,7 +1,7 @@
 #pragma once
 
-// What the procedure is told and what it answers: plain structs behind lcmtypes. SI units, rad, camera frame C; utime
-// in us of measurement.
+// What the procedure is told and what it answers: plain structs behind lcmtypes. SI units, rad, camera frame C, the
+// floor's W for the base; utime in us of measurement.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -21,6 +21,13 @@ enum class Result { kNone, kLifted, kRefused, kFailed };
 
 enum class CommandKind { kStart, kAbort, kHome };
 
+// A pose on the floor.
+struct FloorPose {
+  double x = 0.0;        // m
+  double y = 0.0;        // m
+  double heading = 0.0;  // rad, of the x axis, counter-clockwise from above
+};
+
 struct Command {
   std::int64_t session = 0;
   std::int64_t id = 0;
@@ -28,6 +35,7 @@ struct Command {
   std::string target;
   bool carry = false;
   std::optional<Eigen::Vector3d> p_CT_expected;  // m
+  std::optional<FloorPose> drive_pose;           // X_WR, where to stand; absent: where it stands
 };
 
 // As ServoStatus.lcm numbers them.
@@ -58,6 +66,16 @@ struct ArmReport {
   double gripper_opening = 0.0;  // m
 };
 
+// As BaseStatus.lcm numbers them.
+enum class BaseState { kHold, kDriving, kArrived, kBlocked, kLost, kStale, kStopped };
+
+struct BaseReport {
+  std::int64_t utime = 0;    // of BASE_STATUS
+  std::int64_t goal_id = 0;  // of ours; 0 when it answers someone else's or none
+  BaseState state = BaseState::kHold;
+  std::string reason;
+};
+
 struct StopReport {
   bool known = false;       // every stop device has spoken within the last second
   bool latched = false;     // one at least
@@ -73,6 +91,7 @@ struct Input {
   std::int64_t pose_utime = 0;  // of the newest TARGET_POSE; 0: none yet
   std::vector<MarkReport> marks;
   std::optional<ArmReport> arm;
+  std::optional<BaseReport> base;  // the newest from before the frame
   StopReport stop;
   std::vector<Command> commands;  // that came since the last step, repeats included
 };
@@ -91,6 +110,16 @@ struct Goal {
   double force = 0.0;    // N
 };
 
+// What the base shall do.
+struct DriveGoal {
+  std::int64_t id = 0;      // grows with every new goal; 0: none yet
+  bool drive = false;       // else stand still
+  bool from_robot = false;  // `pose` is X_RG, from where the robot stands; else X_WG
+  FloorPose pose;
+  double clearance = 0.0;  // m
+  double speed = 0.0;      // m/s, at most
+};
+
 struct Output {
   Phase phase = Phase::kIdle;
   int attempt = 0;
@@ -99,8 +128,9 @@ struct Output {
   std::string reason;
   std::int64_t command_session = 0;
   std::int64_t command_id = 0;
-  std::optional<Goal> goal;          // to send now
-  std::vector<std::string> notices;  // for the log
+  std::optional<Goal> goal;             // to send now
+  std::optional<DriveGoal> drive_goal;  // to send now
+  std::vector<std::string> notices;     // for the log
 };
 
 }  // namespace markservo::task_manager

@@ -19,8 +19,10 @@ std::int64_t steady_us() {
       .count();
 }
 
-static_assert(static_cast<int>(Phase::kLook) == 1 && static_cast<int>(Phase::kStopped) == 15,
+static_assert(static_cast<int>(Phase::kLook) == 1 && static_cast<int>(Phase::kStopped) == TaskState::STOPPED &&
+                  static_cast<int>(Phase::kDrive) == TaskState::DRIVE,
               "phases as TaskState.lcm numbers them");
+static_assert(static_cast<int>(BaseState::kStopped) == BaseStatus::STOPPED, "as BaseStatus.lcm numbers them");
 static_assert(static_cast<int>(ServoState::kStopped) == 7, "as ServoStatus.lcm numbers them");
 static_assert(static_cast<int>(Sight::kInconsistent) == 5, "as LocatedMark.lcm numbers them");
 
@@ -59,6 +61,10 @@ void TaskManagerNode::start(bus::Bus& bus) {
   bus_ = &bus;
   goals_.emplace(bus.advertise<ServoGoal>("SERVO_GOAL"));
   states_.emplace(bus.advertise<TaskState>("TASK_STATE"));
+  if (robot_.base) {
+    base_goals_.emplace(bus.advertise<BaseGoal>("BASE_GOAL"));
+    bus.on_each<BaseStatus>("BASE_STATUS", [this](const BaseStatus& status) { on_base(status); });
+  }
   bus.on_each_from_many<TaskCommand>("TASK_COMMAND", [this](const TaskCommand& command) { on_command(command); });
   bus.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& stop) { on_stop(stop); });
   bus.on_each<JointState>("JOINT_STATE", [this](const JointState& joints) { on_joints(joints); });
@@ -76,6 +82,7 @@ void TaskManagerNode::on_command(const TaskCommand& message) {
   command.target = message.target;
   command.carry = message.carry != 0;
   if (message.expected_known != 0) command.p_CT_expected = vector(message.p_CT_expected);
+  if (message.drive != 0) command.drive_pose = {message.drive_pose.x, message.drive_pose.y, message.drive_pose.heading};
   commands_.add(command, steady_us());
 }
 
@@ -125,12 +132,22 @@ StopReport TaskManagerNode::stop_report() const {
   return report;
 }
 
+void TaskManagerNode::on_base(const BaseStatus& status) {
+  BaseReport report;
+  report.utime = status.utime;
+  report.goal_id = status.goal_session == base_goals_->session() ? status.goal_id : 0;
+  report.state = checked(status.state, BaseState::kStopped, "BASE_STATUS.state");
+  report.reason = status.reason;
+  base_reports_.add(report);
+}
+
 void TaskManagerNode::on_status(const ServoStatus& status) {
   input_.utime = status.frame_utime;
   input_.servo.goal_id = status.goal_session == goals_->session() ? status.goal_id : 0;
   input_.servo.state = checked(status.state, ServoState::kStopped, "SERVO_STATUS.state");
   input_.servo.settled = status.settled != 0;
   input_.servo.reason = status.reason;
+  input_.base = base_reports_.before(input_.utime);
   input_.stop = stop_report();
   stopped_meanwhile_ = false;
   input_.commands = commands_.take(steady_us(), !bus_->replaying());
@@ -138,6 +155,7 @@ void TaskManagerNode::on_status(const ServoStatus& status) {
   tell(output, input_.utime);
 
   if (output.goal) send(*output.goal, status);
+  if (output.drive_goal) send(*output.drive_goal, status);
   TaskState message;
   bus::answer_frame(message, status);
   message.command_session = output.command_session;
@@ -169,6 +187,21 @@ void TaskManagerNode::send(const Goal& goal, const ServoStatus& status) {
   message.gripper_opening = goal.opening;
   message.gripper_force = goal.force;
   goals_->publish(message);
+}
+
+void TaskManagerNode::send(const DriveGoal& goal, const ServoStatus& status) {
+  BaseGoal message{};
+  message.utime = status.frame_utime;
+  message.session = base_goals_->session();
+  message.goal_id = goal.id;
+  message.kind = goal.drive ? BaseGoal::DRIVE : BaseGoal::HOLD;
+  message.frame = goal.from_robot ? BaseGoal::ROBOT : BaseGoal::WORLD;
+  message.pose.x = goal.pose.x;
+  message.pose.y = goal.pose.y;
+  message.pose.heading = goal.pose.heading;
+  message.clearance = goal.clearance;
+  message.speed = goal.speed;
+  base_goals_->publish(message);
 }
 
 // The log: every notice and every change, with the task's own time.

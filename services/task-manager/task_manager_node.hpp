@@ -1,10 +1,14 @@
 #pragma once
 
 // The procedure on the bus.
-//   in:  TASK_COMMAND, TARGET_POSE, JOINT_STATE, STOP_STATE, SERVO_STATUS, each message in order of arrival
-//   out: TASK_STATE, one per SERVO_STATUS; SERVO_GOAL, when it is new and at 5 Hz of message time
+//   in:  TASK_COMMAND, TARGET_POSE, JOINT_STATE, STOP_STATE, BASE_STATUS, SERVO_STATUS, each message in order of
+//   arrival out: TASK_STATE, one per SERVO_STATUS; SERVO_GOAL and, if the robot has a base, BASE_GOAL, when they are
+//   new and at
+//        5 Hz of message time
 
 #include <map>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
 #include <markservo/JointState.hpp>
 #include <markservo/ServoGoal.hpp>
 #include <markservo/ServoStatus.hpp>
@@ -16,6 +20,7 @@
 #include <string>
 
 #include "common/bus/service.hpp"
+#include "services/task-manager/base_reports.hpp"
 #include "services/task-manager/command_queue.hpp"
 #include "services/task-manager/procedure.hpp"
 
@@ -32,9 +37,11 @@ class TaskManagerNode : public bus::Service {
   void on_pose(const TargetPose& pose);
   void on_joints(const JointState& joints);
   void on_stop(const StopState& stop);
+  void on_base(const BaseStatus& status);
   void on_status(const ServoStatus& status);
   StopReport stop_report() const;
   void send(const Goal& goal, const ServoStatus& status);
+  void send(const DriveGoal& goal, const ServoStatus& status);
   void tell(const Output& output, std::int64_t utime);
 
   Parameters parameters_;
@@ -42,6 +49,7 @@ class TaskManagerNode : public bus::Service {
   std::optional<Procedure> procedure_;
   State state_;
   Input input_;  // what has come since the last step
+  BaseReports base_reports_;
   CommandQueue commands_;
   std::map<std::string, StopState> stops_;  // by device
   bool stopped_meanwhile_ = false;          // a device was latched since the last step
@@ -50,6 +58,7 @@ class TaskManagerNode : public bus::Service {
 
   bus::Bus* bus_ = nullptr;
   std::optional<bus::Publisher<ServoGoal>> goals_;
+  std::optional<bus::Publisher<BaseGoal>> base_goals_;  // if the robot has a base
   std::optional<bus::Publisher<TaskState>> states_;
 };
 

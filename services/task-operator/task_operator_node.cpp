@@ -1,6 +1,7 @@
 #include "services/task-operator/task_operator_node.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <stdexcept>
@@ -14,6 +15,8 @@ namespace {
 static_assert(static_cast<int>(Phase::kLook) == TaskState::LOOK && static_cast<int>(Phase::kGoHome) == 10 &&
                   static_cast<int>(Phase::kStopped) == TaskState::STOPPED,
               "phases as TaskState.lcm numbers them");
+
+static_assert(static_cast<int>(Phase::kDrive) == TaskState::DRIVE, "phases as TaskState.lcm numbers them");
 
 constexpr std::int64_t kRequest = 1;  // the only one of this program's session
 
@@ -48,6 +51,9 @@ void TaskOperatorNode::add_options(CLI::App& app) {
       ->configurable(false)
       ->check(CLI::IsMember({"start", "abort", "home", "stop", "reset"}));
   app.add_option("--target", target_, "start: whose mark to take");
+  app.add_option("--drive", drive_, "start: X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
+      ->delimiter(',')
+      ->expected(3);
   app.add_flag("--carry", carry_, "start: carry the object to the side, release it there and go home");
   app.add_option("--source", source_, "stop, reset: who asks, for the logs")->capture_default_str();
   app.add_option("--patience", parameters_.patience, "How long to wait for an answer, s")
@@ -70,8 +76,14 @@ void TaskOperatorNode::configure(const std::string& robot_file) {
       throw ConfigurationError("--target is '" + target_ + "'; allowed: " + targets_of(robot) + " (" + robot_file +
                                ")");
     }
-  } else if (!target_.empty() || carry_) {
-    throw ConfigurationError("--target or --carry: without start; allowed: with start");
+    if (!drive_.empty() && !robot.base) {
+      throw ConfigurationError("--drive: " + robot_file + " has no section 'base'; allowed: without --drive");
+    }
+    for (const double value : drive_) {
+      if (!std::isfinite(value)) throw ConfigurationError("--drive: not a number; allowed: X,Y,HEADING_DEG");
+    }
+  } else if (!target_.empty() || carry_ || !drive_.empty()) {
+    throw ConfigurationError("--target, --drive or --carry: without start; allowed: with start");
   }
   dialogue_.emplace(action_, robot.stop_devices, parameters_);
 }
@@ -94,8 +106,8 @@ void TaskOperatorNode::on_stop_state(const StopState& state) {
 }
 
 void TaskOperatorNode::on_task_state(const TaskState& state) {
-  if (state.state < TaskState::IDLE || state.state > TaskState::STOPPED) {
-    throw std::invalid_argument("state is " + std::to_string(state.state) + "; allowed: 0 to 15");
+  if (state.state < TaskState::IDLE || state.state > TaskState::DRIVE) {
+    throw std::invalid_argument("state is " + std::to_string(state.state) + "; allowed: 0 to 16");
   }
   TaskReport report;
   report.time = 1e-6 * static_cast<double>(state.utime);
@@ -132,6 +144,12 @@ void TaskOperatorNode::send() {
                                             : TaskCommand::ABORT;
   command.target = target_;
   command.carry = carry_ ? 1 : 0;
+  if (!drive_.empty()) {
+    command.drive = 1;
+    command.drive_pose.x = drive_[0];
+    command.drive_pose.y = drive_[1];
+    command.drive_pose.heading = drive_[2] * M_PI / 180.0;
+  }
   commands_->publish(command);
 }
 

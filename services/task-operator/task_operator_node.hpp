@@ -10,6 +10,7 @@
 #include <markservo/TaskState.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/bus/service.hpp"
 #include "services/task-operator/dialogue.hpp"
@@ -34,6 +35,7 @@ class TaskOperatorNode : public bus::Service {
   std::string action_text_;
   Action action_ = Action::kStop;
   std::string target_;
+  std::vector<double> drive_;  // x and y (m), heading (degrees); empty: stand
   bool carry_ = false;
   std::string source_ = "task-operator";
   Parameters parameters_;

@@ -1,17 +1,20 @@
 // Runs one task on a simulated robot whose services are up, tells what happens line by line, and judges it by the
 // simulator's truth. Used by scripts/demo. Exit code 0 only if the task says lifted and the truth agrees.
 //   in:  TASK_STATE, SERVO_STATUS, SIM_TRUTH, STEREO_FRAME, MARK_DETECTION, STEREO_MATCHES, TARGET_POSE, JOINT_STATE,
-//        JOINT_COMMAND
-//   out: SIM_CONTROL, STOP, TASK_COMMAND; DIR/report.json, DIR/{look,grip,lift}.png
+//        JOINT_COMMAND, SIM_BASE_TRUTH, ROBOT_POSE
+//   out: SIM_CONTROL, STOP, TASK_COMMAND; DIR/report.json, DIR/{look,grip,lift}.png, with --drive DIR/drive.png
 
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 #include "common/robot/configuration_error.hpp"
 #include "tests/experiments/demo_pictures.hpp"
 #include "tests/experiments/demo_watches.hpp"
+#include "tests/experiments/drive_picture.hpp"
+#include "tests/experiments/drive_truth.hpp"
 #include "tests/experiments/experiment.hpp"
 #include "tests/experiments/lift_truth.hpp"
 #include "tests/experiments/rig.hpp"
@@ -22,12 +25,14 @@ namespace markservo::experiments {
 namespace {
 
 constexpr double kLiftedTime = 1.0;  // s, held free
-constexpr double kPatience = 120.0;  // s of the world's time, for the whole task
-constexpr double kAftermath = 1.5;   // s, watched after the task's end
-constexpr double kRestTime = 0.5;    // s, the last of them: all must be at rest
+constexpr double kPatience = 120.0;  // s of the world's time, for the whole task without its drive
+constexpr double kDrivePatience = 180.0;
+constexpr double kAftermath = 1.5;  // s, watched after the task's end
+constexpr double kRestTime = 0.5;   // s, the last of them: all must be at rest
 
 struct DemoOptions {
   std::string target = "red_book";
+  std::vector<double> drive;  // x and y (m), heading (degrees) on the tag field; empty: stand
   bool carry = false;
   bool lockstep = false;
 };
@@ -45,6 +50,15 @@ class CourseClock {
   std::optional<int64_t> last_;
   int64_t passed_us_ = 0;
 };
+
+std::optional<Pose2> drive_pose(const DemoOptions& demo) {
+  if (demo.drive.empty()) return std::nullopt;
+  Pose2 pose{};
+  pose.x = demo.drive[0];
+  pose.y = demo.drive[1];
+  pose.heading = demo.drive[2] * M_PI / 180.0;
+  return pose;
+}
 
 struct ServoResult {
   int frames = 0;
@@ -84,7 +98,8 @@ class Demo {
         rig_(options.lcm_url, "", demo.lockstep ? Rig::Pace::kLockstep : Rig::Pace::kRealTime),
         latency_(rig_.bus()),
         eyes_(rig_.bus(), [this](int64_t seq) { latency_.frame(seq); }),
-        stale_motion_(rig_.bus()) {}
+        stale_motion_(rig_.bus()),
+        drive_(rig_.bus()) {}
 
   Course run() {
     rig_.wait_for_world();
@@ -94,7 +109,13 @@ class Demo {
     start.kind = TaskCommand::START;
     start.target = demo_.target;
     start.carry = demo_.carry;
+    const auto goal = drive_pose(demo_);
+    if (goal) {
+      start.drive = 1;
+      start.drive_pose = *goal;
+    }
     rig_.command(start);
+    const double patience = kPatience + (goal ? kDrivePatience : 0.0);
     clock_.see(rig_.truth().utime);
     const SimTruth before = rig_.truth();
     Course course;
@@ -112,9 +133,10 @@ class Demo {
       }
       if (task.state == TaskState::SERVO) ++course.servo.frames;
       stale_motion_.observe(rig_.truth(), task.state);
+      drive_.observe(task.state);
       course.lift.observe(rig_.truth(), demo_.target, task.state);
       const double elapsed = clock_.seconds();
-      if (ended(task, demo_.carry) || elapsed > kPatience) {
+      if (ended(task, demo_.carry) || elapsed > patience) {
         course.duration = elapsed;
         break;
       }
@@ -127,6 +149,8 @@ class Demo {
 
   const std::vector<double>& latency_ms() const { return latency_.milliseconds(); }
   const StaleMotionWatch& stale_motion() const { return stale_motion_; }
+  const DriveWatch& drive() const { return drive_; }
+  const SimTruth& truth() const { return rig_.truth(); }
 
  private:
   void step() {
@@ -142,7 +166,9 @@ class Demo {
     while (elapsed() < kAftermath) {
       step();
       course.lift.observe(rig_.truth(), demo_.target, course.last.state);
-      if (!earlier && elapsed() >= kAftermath - kRestTime) earlier = rig_.truth();
+      if (earlier || elapsed() < kAftermath - kRestTime) continue;
+      earlier = rig_.truth();
+      drive_.expect_rest();
     }
     course.moved_at_end = farthest_joint(rig_.truth().shaft, earlier->shaft);
     if (!demo_.carry) return;
@@ -177,6 +203,7 @@ class Demo {
   CommandLatency latency_;
   Eyes eyes_;
   StaleMotionWatch stale_motion_;
+  DriveWatch drive_;
   CourseClock clock_;
 };
 
@@ -197,31 +224,29 @@ nlohmann::json truth_report(const Course& course, bool truly_lifted) {
   return json;
 }
 
-void write_report(const ExperimentOptions& options, const Course& course, bool truly_lifted,
-                  const std::vector<double>& latency_ms, const StaleMotionWatch& stale_motion) {
+nlohmann::json report_of(const ExperimentOptions& options, const Course& course, bool truly_lifted,
+                         const std::vector<double>& latency_ms, const StaleMotionWatch& stale_motion) {
   const auto& error = course.servo.error;
   const auto stale_phase = stale_motion.phase();
-  const nlohmann::json report{
-      {"seed", options.seed},
-      {"task",
-       {{"result", task_result_name(course.last.result)},
-        {"state", task_state_name(course.last.state)},
-        {"reason", course.last.reason},
-        {"attempts", course.last.attempt},
-        {"seconds", course.duration}}},
-      {"truth", truth_report(course, truly_lifted)},
-      {"servo",
-       {{"frames", course.servo.frames},
-        {"final_error_m", {number_or_null(error.x()), number_or_null(error.y()), number_or_null(error.z())}}}},
-      {"safety",
-       {{"moved_on_stale_input_rad", stale_motion.moved()},
-        {"stale_s", stale_motion.longest()},  // longest without a fresh command
-        {"stale_phase", stale_phase ? nlohmann::json(task_state_name(*stale_phase)) : nlohmann::json()},
-        {"moved_at_end_rad", number_or_null(course.moved_at_end)}}},
-      {"latency_ms",
-       {{"frame_to_command_p50", number_or_null(percentile(latency_ms, 0.50))},
-        {"frame_to_command_p99", number_or_null(percentile(latency_ms, 0.99))}}}};
-  std::ofstream(std::filesystem::path(options.out) / "report.json") << report.dump(2) << "\n";
+  return {{"seed", options.seed},
+          {"task",
+           {{"result", task_result_name(course.last.result)},
+            {"state", task_state_name(course.last.state)},
+            {"reason", course.last.reason},
+            {"attempts", course.last.attempt},
+            {"seconds", course.duration}}},
+          {"truth", truth_report(course, truly_lifted)},
+          {"servo",
+           {{"frames", course.servo.frames},
+            {"final_error_m", {number_or_null(error.x()), number_or_null(error.y()), number_or_null(error.z())}}}},
+          {"safety",
+           {{"moved_on_stale_input_rad", stale_motion.moved()},
+            {"stale_s", stale_motion.longest()},  // longest without a fresh command
+            {"stale_phase", stale_phase ? nlohmann::json(task_state_name(*stale_phase)) : nlohmann::json()},
+            {"moved_at_end_rad", number_or_null(course.moved_at_end)}}},
+          {"latency_ms",
+           {{"frame_to_command_p50", number_or_null(percentile(latency_ms, 0.50))},
+            {"frame_to_command_p99", number_or_null(percentile(latency_ms, 0.99))}}}};
 }
 
 void print_table(const Course& course, bool truly_lifted, const std::vector<double>& latency_ms) {
@@ -251,9 +276,18 @@ bool run_demo(const ExperimentOptions& options, const DemoOptions& demo) {
   Demo run(options, demo, *target);
   const Course course = run.run();
   const bool truly_lifted = course.lift.held() >= kLiftedTime;
-  write_report(options, course, truly_lifted, run.latency_ms(), run.stale_motion());
+  nlohmann::json report = report_of(options, course, truly_lifted, run.latency_ms(), run.stale_motion());
   print_table(course, truly_lifted, run.latency_ms());
-  const bool truly_done = truly_lifted && (!course.carried || course.carried->stands_elsewhere);
+  bool truly_done = truly_lifted && (!course.carried || course.carried->stands_elsewhere);
+  const std::filesystem::path out = options.out;
+  if (const auto goal = drive_pose(demo)) {
+    const DriveResult drive = run.drive().result(*goal);
+    report["drive"] = experiments::report_of(drive, *goal);
+    std::printf("%s", words_of(drive).c_str());
+    write_drive_picture((out / "drive.png").string(), robot, run.drive(), *goal, run.truth());
+    truly_done = truly_done && truly_driven(drive);
+  }
+  std::ofstream(out / "report.json") << report.dump(2) << "\n";
   return truly_done && course.last.result == TaskState::RESULT_LIFTED;
 }
 
@@ -270,6 +304,9 @@ int main(int argc, char** argv) {
       [&](void* app) {
         auto* cli = static_cast<CLI::App*>(app);
         cli->add_option("--target", demo.target, "The mark of the object to take")->capture_default_str();
+        cli->add_option("--drive", demo.drive, "X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
+            ->delimiter(',')
+            ->expected(3);
         cli->add_flag("--carry", demo.carry, "Carry it to the side, release it, go home");
         cli->add_flag("--lockstep", demo.lockstep, "The simulator runs in lockstep and waits for SIM_CONTROL");
       });

@@ -1,5 +1,6 @@
 #include "tests/experiments/rig.hpp"
 
+#include <algorithm>
 #include <markservo/ServiceStatus.hpp>
 
 #include "common/bus/repeat_timer.hpp"
@@ -31,7 +32,8 @@ Rig::Rig(const std::string& lcm_url, const std::string& robot, Pace pace)
   bus_.on_each<ServoStatus>("SERVO_STATUS", [this](const ServoStatus& status) { servo_ = status; });
   bus_.on_each<TaskState>("TASK_STATE", [this](const TaskState& state) { task_ = state; });
   bus_.on_latest<MarkDetection>("MARK_DETECTION", [this](const MarkDetection& detection) { detection_ = detection; });
-  bus_.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& state) { stop_ = state; });
+  bus_.on_each_from_many<StopState>("STOP_STATE",
+                                    [this](const StopState& state) { stops_heard_[state.device] = state; });
   bus_.on_each_from_many<ServiceStatus>("SERVICE_STATUS", [this](const ServiceStatus& status) {
     if (status.state != "starting") started_.insert(status.pid);
   });
@@ -95,12 +97,13 @@ void Rig::unlatch(const std::function<bool()>& answered) {
   request.reason = "a trial begins";
   const auto send = [&] { stops_.publish(request); };
   send();
+  const auto released = [&](const auto& heard) {
+    const StopState& state = heard.second;
+    return !state.latched && state.request_session == request.session && state.request_id == request.request_id;
+  };
   wait(
       "STOP reset",
-      [&] {
-        return !stop_.latched && stop_.request_session == request.session && stop_.request_id == request.request_id;
-      },
-      send);
+      [&] { return !stops_heard_.empty() && std::all_of(stops_heard_.begin(), stops_heard_.end(), released); }, send);
 }
 
 void Rig::send_step() {

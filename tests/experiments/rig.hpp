@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <markservo/JointState.hpp>
 #include <markservo/MarkDetection.hpp>
 #include <markservo/ServoGoal.hpp>
@@ -49,8 +50,8 @@ class Rig {
   void wait_for_world();
   // SIM_CONTROL RESET; throws RigFailure if the simulator refuses a setting. The arm is latched afterwards.
   void reset(int64_t seed, const Settings& settings);
-  // STOP reset, until the arm says it is unlatched. In lockstep once `answered` (if given) holds for the present frame,
-  // so that the services learn of it between the same two frames in every run.
+  // STOP reset, until every device that has spoken says it is unlatched. In lockstep once `answered` (if given) holds
+  // for the present frame, so that the services learn of it between the same two frames in every run.
   void unlatch(const std::function<bool()>& answered = {});
 
   // Waits for the next frame. In lockstep lets the world go on by one frame, once `answered` (if given) holds for this
@@ -97,7 +98,7 @@ class Rig {
   SimTruth truth_{};
   ServoStatus servo_{};
   TaskState task_{};
-  StopState stop_{};
+  std::map<std::string, StopState> stops_heard_;  // by device
   MarkDetection detection_{};
   ServoGoal goal_{};
   std::set<pid_t> started_;  // processes whose service has said that it runs

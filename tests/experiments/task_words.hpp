@@ -8,11 +8,13 @@
 namespace markservo::experiments {
 
 inline const char* task_state_name(int8_t state) {
-  return state >= TaskState::IDLE && state <= TaskState::STOPPED ? name_of(static_cast<TaskPhase>(state)) : "unknown";
+  return state >= TaskState::IDLE && state <= TaskState::DRIVE ? name_of(static_cast<TaskPhase>(state)) : "unknown";
 }
 
 inline const char* task_state_words(int8_t state) {
   switch (state) {
+    case TaskState::DRIVE:
+      return "to where the target can be taken";
     case TaskState::LOOK:
       return "find the target, decide whether it can be taken";
     case TaskState::APPROACH:

@@ -65,6 +65,19 @@ TEST(BaseModel, AConstantTurnClosesTheCircle) {
   EXPECT_LT(std::hypot(base.pose().x - begin.x, base.pose().y - begin.y), 0.3 * kStep_s);
 }
 
+TEST(BaseModel, OneLongStepEndsWhereManyShortOnesDo) {
+  BaseModel base = ideal_base();
+  base.command(0.3, 1.0);
+  wait(base, 1.0);  // up to speed
+  const PlanarPose begin = base.pose();
+  base.step(1.5);
+  const Eigen::Vector2d middle = begin * Eigen::Vector2d(0.0, 0.3 / 1.0);
+  const Eigen::Vector2d arm = Eigen::Vector2d(base.pose().x, base.pose().y) - middle;
+  EXPECT_NEAR(arm.norm(), 0.3, 1e-9) << "it stays on its circle";
+  EXPECT_NEAR(base.pose().heading - begin.heading, 1.5, 1e-9);
+  EXPECT_NEAR(arm.dot(Eigen::Vector2d(std::sin(base.pose().heading), -std::cos(base.pose().heading))), 0.3, 1e-9);
+}
+
 TEST(BaseModel, TurnsOnTheSpotWithTheWheelsGoingOppositeWays) {
   BaseModel base = ideal_base();
   base.command(0.0, 1.0);

@@ -119,6 +119,17 @@ TEST(Rendering, TheHandsMarkIsDrawnWhereTheTruthProjects) {
   EXPECT_LT(errors.image_px, 0.3);
 }
 
+TEST(Rendering, FromElsewhereMarksAreDrawnWhereTheTruthProjects) {
+  for (const double heading_deg : {90.0, 84.0}) {
+    World world(test_robot(), plain_scene(),
+                test_settings({{"base.start_y", 0.85}, {"base.start_heading_deg", heading_deg}}), 1);
+    const Errors errors = compare(world);
+    EXPECT_EQ(errors.marks, 3);
+    EXPECT_LT(errors.image_px, 0.4) << "heading " << heading_deg << " degrees";
+    EXPECT_LT(errors.depth_m, 0.002);
+  }
+}
+
 TEST(Rendering, TheArmAtHomeIsOutOfView) {
   World near_shelf = test_world(test_settings());
   near_shelf.truth();

@@ -20,6 +20,10 @@ robot::RobotDescription default_robot() {
   return robot::load_robot_description(kRoot + "/config/robot.yaml");
 }
 
+Scene default_scene() {
+  return load_scene(kRoot + "/config/scenes/shelf.yaml", default_robot());
+}
+
 std::string message_of(const std::function<void()>& action) {
   try {
     action();
@@ -44,15 +48,15 @@ std::string changed_scene(const std::string& from, const std::string& to) {
 }
 
 TEST(Settings, DefaultsComeFromTheRobot) {
-  const Settings settings = default_settings(default_robot(), true);
+  const Settings settings = default_settings(default_robot(), default_scene(), true);
   EXPECT_NEAR(settings.arm_start_shoulder_deg, 120.0, 1e-9);
   EXPECT_EQ(settings.arm_start_opening, 0.05);
   EXPECT_EQ(settings.frames_rate_hz, 30.0);
-  EXPECT_EQ(default_settings(default_robot(), false).frames_rate_hz, 15.0);
+  EXPECT_EQ(default_settings(default_robot(), default_scene(), false).frames_rate_hz, 15.0);
 }
 
 TEST(Settings, EveryDefaultIsAllowed) {
-  const Settings defaults = default_settings(default_robot(), true);
+  const Settings defaults = default_settings(default_robot(), default_scene(), true);
   for (const auto& setting : setting_descriptions()) {
     Settings settings = defaults;
     EXPECT_NO_THROW(set_value(settings, setting.name, defaults.*setting.value)) << setting.name;
@@ -83,7 +87,7 @@ TEST(Settings, ImpossibleValuesAreErrorsThatNameTheRange) {
 }
 
 TEST(Settings, TheStartPostureStaysInsideTheArmsLimits) {
-  Settings settings = default_settings(default_robot(), true);
+  Settings settings = default_settings(default_robot(), default_scene(), true);
   settings.arm_start_elbow_deg = 10.0;
   EXPECT_NE(message_of([&] { check_against_robot(settings, default_robot()); }).find("arm.start_elbow_deg"),
             std::string::npos);
@@ -113,7 +117,7 @@ TEST(Scene, MistakesAreNamedWithFileAndKey) {
 TEST(Scene, OnlyCamerasThatCanBeDrawnAreAccepted) {
   robot::RobotDescription robot = default_robot();
   const Scene scene = load_scene(kRoot + "/config/scenes/shelf.yaml", robot);
-  const Settings settings = default_settings(robot, true);
+  const Settings settings = default_settings(robot, scene, true);
   robot.cameras.stereo.cx_left += 1.0;
   EXPECT_NE(message_of([&] { write_scene_model(robot, scene, settings, 1); }).find("cx_left"), std::string::npos);
   robot = default_robot();

@@ -9,13 +9,18 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <markservo/BaseCommand.hpp>
 #include <markservo/JointCommand.hpp>
 #include <markservo/JointState.hpp>
+#include <markservo/RfidTagHits.hpp>
+#include <markservo/SimBaseTruth.hpp>
 #include <markservo/SimControl.hpp>
 #include <markservo/SimTruth.hpp>
+#include <markservo/SonarScan.hpp>
 #include <markservo/StereoFrame.hpp>
 #include <markservo/StopRequest.hpp>
 #include <markservo/StopState.hpp>
+#include <markservo/WheelOdometry.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -73,11 +78,20 @@ class Client {
   Client()
       : bus_(parameters()),
         commands_(bus_.advertise<JointCommand>("JOINT_COMMAND")),
+        base_commands_(bus_.advertise<BaseCommand>("BASE_COMMAND")),
         stops_(bus_.advertise<StopRequest>("STOP")),
         controls_(bus_.advertise<SimControl>("SIM_CONTROL")) {
     bus_.on_each<SimTruth>("SIM_TRUTH", [this](const SimTruth& message) { truths.push_back(message); });
     bus_.on_each<StereoFrame>("STEREO_FRAME", [this](const StereoFrame& message) { frames.push_back(message); });
     bus_.on_each<JointState>("JOINT_STATE", [this](const JointState& message) { joints.push_back(message); });
+    bus_.on_each<WheelOdometry>("WHEEL_ODOMETRY", [this](const WheelOdometry& message) {
+      odometries.push_back(message);
+      if (driver) answer_odometry(message, driver(message));
+    });
+    bus_.on_each<SimBaseTruth>("SIM_BASE_TRUTH",
+                               [this](const SimBaseTruth& message) { base_truths.push_back(message); });
+    bus_.on_each<SonarScan>("SONAR_SCAN", [this](const SonarScan& message) { scans.push_back(message); });
+    bus_.on_each<RfidTagHits>("RFID_TAG_HITS", [this](const RfidTagHits& message) { rounds.push_back(message); });
     bus_.on_each<StopState>("STOP_STATE", [this](const StopState& message) { stop_states.push_back(message); });
   }
 
@@ -85,6 +99,12 @@ class Client {
   std::vector<StereoFrame> frames;
   std::vector<JointState> joints;
   std::vector<StopState> stop_states;
+  std::vector<WheelOdometry> odometries;
+  std::vector<SimBaseTruth> base_truths;
+  std::vector<SonarScan> scans;
+  std::vector<RfidTagHits> rounds;
+  // The speed (m/s) that answers each odometry as it comes; not set: none is answered.
+  std::function<double(const WheelOdometry&)> driver;
 
   // Handles messages until `done`; throws when that takes longer than a hung process may.
   void until(const std::function<bool()>& done) {
@@ -118,6 +138,16 @@ class Client {
     command.gripper_opening = 0.04;
     command.gripper_force = 25.0;
     commands_.publish(command);
+  }
+
+  // The command that answers `odometry`.
+  void answer_odometry(const WheelOdometry& odometry, double speed) {
+    BaseCommand command{};
+    command.utime = odometry.utime;
+    command.odometry_session = odometry.session;
+    command.odometry_seq = odometry.seq;
+    command.speed = speed;
+    base_commands_.publish(command);
   }
 
   // STOP or its reset, until it is echoed.
@@ -170,6 +200,7 @@ class Client {
 
   bus::Bus bus_;
   bus::Publisher<JointCommand> commands_;
+  bus::Publisher<BaseCommand> base_commands_;
   bus::Publisher<StopRequest> stops_;
   bus::Publisher<SimControl> controls_;
   int64_t last_id_ = 0;

@@ -14,6 +14,7 @@ constexpr std::int64_t kFrame_us = 33'333;
 constexpr double kJointStep = 0.05;    // rad a frame
 constexpr double kServoStep = 0.004;   // m a frame
 constexpr double kFingerStep = 0.002;  // m a frame
+constexpr double kBaseStep = 0.013;    // m a frame: 0.4 m/s
 
 }  // namespace
 
@@ -38,6 +39,11 @@ void FakeRobot::send(CommandKind kind, const std::string& target, bool carry) {
   command_.carry = carry;
   if (kind == CommandKind::kStart && !attached_) start_ = p_CT;
   send_again();
+}
+
+void FakeRobot::send_drive(const FloorPose& pose, const std::string& target) {
+  send(CommandKind::kStart, target);
+  commands_.back().drive_pose = command_.drive_pose = pose;
 }
 
 void FakeRobot::send_again() {
@@ -73,6 +79,35 @@ ServoReport FakeRobot::report() {
   } else {
     report.settled = error_.norm() <= goal_.tolerance;
     report.state = report.settled ? ServoState::kConverged : ServoState::kServo;
+  }
+  return report;
+}
+
+// The base slides: what is seen of the book moves the other way.
+void FakeRobot::move_base() {
+  if (!drive_goal_.drive || base_stuck || stop.latched || !base_answers) return;
+  Eigen::Vector2d way_W(base_goal_.x - base_pose.x, base_goal_.y - base_pose.y);
+  way_W *= std::min(1.0, kBaseStep / std::max(1e-12, way_W.norm()));
+  if (way_W.norm() == 0.0) return;
+  base_pose.x += way_W.x();
+  base_pose.y += way_W.y();
+  way_of_base_ += way_W.norm();
+  const Eigen::Vector2d way_R = Eigen::Rotation2Dd(-base_pose.heading) * way_W;
+  p_CT += Eigen::Vector3d(way_R.y(), -way_R.x(), 0.0);
+  if ((q_ - robot_.arm->home).cwiseAbs().maxCoeff() > 0.05) reckless_ = "the arm was not folded";
+  if (last_.phase != Phase::kDrive) reckless_ = std::string("it drove in ") + name_of(last_.phase);
+}
+
+std::optional<BaseReport> FakeRobot::base_report() const {
+  if (!robot_.base) return std::nullopt;
+  if (!base_answers) return base_said_;
+  BaseReport report;
+  report.utime = utime_ - kFrame_us / 2;
+  report.goal_id = drive_goal_.id;
+  if (drive_goal_.drive) {
+    const bool there = std::hypot(base_goal_.x - base_pose.x, base_goal_.y - base_pose.y) < 1e-9;
+    report.state = base_stuck ? *base_stuck : there ? BaseState::kArrived : BaseState::kDriving;
+    report.reason = base_reason;
   }
   return report;
 }
@@ -130,6 +165,7 @@ void FakeRobot::look_for_trespass() {
 Output FakeRobot::frame() {
   utime_ += kFrame_us;
   if (robot_.arm) {
+    move_base();
     move_arm();
     move_gripper();
     look_for_trespass();
@@ -151,6 +187,7 @@ Output FakeRobot::frame() {
     input.marks.push_back(hand);
   }
   if (arm_answers) input.arm = ArmReport{arm_session, q_, opening_};
+  input.base = base_said_ = base_report();
   input.stop = stop;
   input.commands.swap(commands_);
 
@@ -160,6 +197,20 @@ Output FakeRobot::frame() {
     ++goals_sent_;
     // What is to be judged is the new goal, not the old one's end.
     if (goal_.kind == GoalKind::kServo && robot_.arm) error_ = grip_point() - (p_CT + goal_.p_TG);
+  }
+  if (last_.drive_goal) {
+    if (last_.drive_goal->id != drive_goal_.id) {
+      base_goal_ = last_.drive_goal->pose;
+      if (last_.drive_goal->from_robot) {
+        const Eigen::Vector2d way_W =
+            Eigen::Rotation2Dd(base_pose.heading) * Eigen::Vector2d(base_goal_.x, base_goal_.y);
+        base_goal_ = {base_pose.x + way_W.x(), base_pose.y + way_W.y(), base_pose.heading + base_goal_.heading};
+      } else {
+        base_goal_.y -= base_drift;
+      }
+    }
+    drive_goal_ = *last_.drive_goal;
+    ++drive_goals_sent_;
   }
   if (phases_.empty() || phases_.back() != last_.phase) phases_.push_back(last_.phase);
   return last_;

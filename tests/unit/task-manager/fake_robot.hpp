@@ -1,7 +1,8 @@
 #pragma once
 
-// A kinematic stand-in for arm, cameras and visual-servo that drives the procedure's core: postures are reached after
-// some frames, servoing converges, a gripped book follows the hand.
+// A kinematic stand-in for arm, base, cameras, visual-servo and base-navigator that drives the procedure's core:
+// postures are reached after some frames, servoing converges, a gripped book follows the hand, the base slides to its
+// goal.
 
 #include <Eigen/Geometry>
 #include <functional>
@@ -32,7 +33,14 @@ class FakeRobot {
   std::string unreachable;  // servoing cannot go on, and why
   StopReport stop{true, false, ""};
   std::int64_t arm_session = 7;
+  FloorPose base_pose{0.2, 0.05, M_PI / 2};  // X_WR
+  bool base_answers = true;                  // false: no BASE_STATUS any more
+  std::optional<BaseState> base_stuck;       // what base-navigator says instead of driving
+  std::string base_reason;
+  double base_drift = 0.0;  // m, by which it stops short of a goal in W
 
+  // START with a drive.
+  void send_drive(const FloorPose& pose, const std::string& target = "red_book");
   void send(CommandKind kind, const std::string& target = "", bool carry = false);
   void send_again();  // the last command, repeated
 
@@ -58,9 +66,16 @@ class FakeRobot {
   // What an open hand may not do: "" or where a finger was among the books off the line of approach.
   const std::string& trespass() const { return trespass_; }
   int goals_sent() const { return goals_sent_; }
+  const DriveGoal& drive_goal() const { return drive_goal_; }
+  int drive_goals_sent() const { return drive_goals_sent_; }
+  double way_of_base() const { return way_of_base_; }  // m, all that it ever drove
+  // What a base may not do: "" or how the arm stood while it drove, or in which phase.
+  const std::string& reckless() const { return reckless_; }
   double seconds() const { return 1e-6 * static_cast<double>(utime_); }
 
  private:
+  void move_base();
+  std::optional<BaseReport> base_report() const;
   void move_arm();
   void move_gripper();
   void look_for_trespass();
@@ -86,6 +101,12 @@ class FakeRobot {
   Eigen::Vector3d error_ = Eigen::Vector3d::Zero();
   double way_ = 0.0;
   int goals_sent_ = 0;
+  DriveGoal drive_goal_;
+  FloorPose base_goal_;  // X_WR
+  int drive_goals_sent_ = 0;
+  double way_of_base_ = 0.0;
+  std::string reckless_;
+  std::optional<BaseReport> base_said_;
   std::vector<Phase> phases_;
   std::string trespass_;
 };

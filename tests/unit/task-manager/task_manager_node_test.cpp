@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <markservo/ServiceStatus.hpp>
 #include <vector>
 
@@ -22,6 +23,7 @@ class TaskManagerOnABus : public ::testing::Test {
     node_.start(bus_);
     bus_.on_each<TaskState>("TASK_STATE", [this](const TaskState& state) { states_.push_back(state); });
     bus_.on_each<ServoGoal>("SERVO_GOAL", [this](const ServoGoal& goal) { goals_.push_back(goal); });
+    bus_.on_each<BaseGoal>("BASE_GOAL", [this](const BaseGoal& goal) { base_goals_.push_back(goal); });
   }
 
   static bus::BusParameters in_process() {
@@ -36,10 +38,10 @@ class TaskManagerOnABus : public ::testing::Test {
     for (int i = 0; i < 6; ++i) bus_.poll(std::chrono::milliseconds(0));
   }
 
-  void tell_stop(bool latched) {
+  void tell_stop(bool latched, const std::string& device = "arm") {
     StopState stop{};
     stop.utime = utime_;
-    stop.device = "arm";
+    stop.device = device;
     stop.latched = latched ? 1 : 0;
     stop.reason = "test";
     stops_.publish(stop);
@@ -66,10 +68,36 @@ class TaskManagerOnABus : public ::testing::Test {
     commands_.publish(command);
   }
 
+  void start_drive() {
+    TaskCommand command{};
+    command.utime = utime_;
+    command.session = 99;
+    command.command_id = 1;
+    command.kind = TaskCommand::START;
+    command.target = "red_book";
+    command.drive = 1;
+    command.drive_pose.x = 0.2;
+    command.drive_pose.y = 1.05;
+    command.drive_pose.heading = 1.5;
+    commands_.publish(command);
+  }
+
+  // base-navigator's word on the newest goal.
+  void tell_base(int8_t state, int64_t session) {
+    BaseStatus status{};
+    status.utime = utime_;
+    status.goal_session = session;
+    status.goal_id = base_goals_.back().goal_id;
+    status.state = state;
+    status.reason = "test";
+    base_statuses_.publish(status);
+  }
+
   // The target located at `y`, and visual-servo's word on this frame.
   void frame(double y = 0.25, int8_t servo_state = ServoStatus::HOLD) {
     utime_ += kFrame_us;
     ++frame_seq_;
+    for (const std::string& device : others_) tell_stop(false, device);
     TargetPose pose{};
     pose.utime = pose.frame_utime = utime_;
     LocatedMark mark{};
@@ -89,6 +117,13 @@ class TaskManagerOnABus : public ::testing::Test {
     settle();
   }
 
+  static std::vector<std::string> stop_devices_but_the_arm() {
+    auto devices = robot::load_robot_description(MARKSERVO_SOURCE_DIR "/config/robot.yaml").stop_devices;
+    devices.erase(std::remove(devices.begin(), devices.end(), "arm"), devices.end());
+    return devices;
+  }
+
+  const std::vector<std::string> others_ = stop_devices_but_the_arm();  // they always speak
   TaskManagerNode node_;
   CLI::App app_;
   bus::Bus bus_{in_process()};
@@ -97,8 +132,10 @@ class TaskManagerOnABus : public ::testing::Test {
   bus::Publisher<JointState> joints_ = bus_.advertise<JointState>("JOINT_STATE");
   bus::Publisher<TargetPose> poses_ = bus_.advertise<TargetPose>("TARGET_POSE");
   bus::Publisher<ServoStatus> statuses_ = bus_.advertise<ServoStatus>("SERVO_STATUS");
+  bus::Publisher<BaseStatus> base_statuses_ = bus_.advertise<BaseStatus>("BASE_STATUS");
   std::vector<TaskState> states_;
   std::vector<ServoGoal> goals_;
+  std::vector<BaseGoal> base_goals_;
   int64_t utime_ = 1'000'000'000;
   int64_t frame_seq_ = 0;
 };
@@ -184,6 +221,48 @@ TEST_F(TaskManagerOnABus, PassesOnWhereTheCallerBelievesTheTarget) {
   for (int i = 0; i < 40; ++i) frame();
   EXPECT_EQ(states_.back().state, TaskState::REFUSED);
   EXPECT_EQ(states_.back().reason, "unreachable: beyond the arm's reach");
+}
+
+TEST_F(TaskManagerOnABus, HoldsTheBaseFromItsFirstStepOnFiveTimesASecond) {
+  for (int i = 0; i < 30; ++i) frame();
+  EXPECT_NEAR(static_cast<double>(base_goals_.size()), 5.0, 1.0);
+  EXPECT_EQ(base_goals_.front().kind, BaseGoal::HOLD);
+  EXPECT_EQ(base_goals_.front().session, bus_.session());
+  EXPECT_EQ(base_goals_.back().goal_id, base_goals_.front().goal_id);
+  EXPECT_EQ(base_goals_.back().utime % kFrame_us, utime_ % kFrame_us);
+}
+
+TEST_F(TaskManagerOnABus, ADriveGoesToTheCommandedPoseAndIsWatched) {
+  tell_joints();
+  tell_stop(false);
+  start_drive();
+  frame();
+  frame();
+  EXPECT_EQ(states_.back().state, TaskState::DRIVE);
+  ASSERT_EQ(base_goals_.back().kind, BaseGoal::DRIVE);
+  EXPECT_EQ(base_goals_.back().frame, BaseGoal::WORLD);
+  EXPECT_EQ(base_goals_.back().pose.x, 0.2);
+  EXPECT_EQ(base_goals_.back().pose.y, 1.05);
+  EXPECT_EQ(base_goals_.back().pose.heading, 1.5);
+  EXPECT_GT(base_goals_.back().clearance, 0.0);
+  EXPECT_GT(base_goals_.back().speed, 0.0);
+  tell_base(BaseStatus::ARRIVED, bus_.session());
+  for (int i = 0; i < 17; ++i) {
+    frame();
+    if (i % 6 == 0) tell_stop(false);
+  }
+  EXPECT_EQ(states_.back().state, TaskState::LOOK);
+  EXPECT_EQ(base_goals_.back().kind, BaseGoal::HOLD);
+}
+
+TEST_F(TaskManagerOnABus, AnArrivalAtAnotherOnesGoalIsNone) {
+  tell_joints();
+  tell_stop(false);
+  start_drive();
+  frame();
+  tell_base(BaseStatus::ARRIVED, bus_.session() + 1);
+  for (int i = 0; i < 10; ++i) frame();
+  EXPECT_EQ(base_goals_.back().kind, BaseGoal::DRIVE);
 }
 
 TEST_F(TaskManagerOnABus, IgnoresWhatCannotBe) {

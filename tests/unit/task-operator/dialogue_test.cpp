@@ -110,6 +110,15 @@ TEST(StartDialogue, TellsEveryChangeOnceAndEndsLifted) {
   EXPECT_EQ(last.ending->line, "  13.00 s  lifted red_book");
 }
 
+TEST(StartDialogue, TellsTheDrive) {
+  Dialogue dialogue = sent(Action::kStart);
+  dialogue.hear(task(Phase::kDrive, Answers::kUs, "driving to x 0.20 m, y 1.05 m, 90 degrees"), 0.1);
+  const Step step = dialogue.step(0.1);
+  EXPECT_EQ(step.lines,
+            std::vector<std::string>{"   0.00 s  drive red_book: driving to x 0.20 m, y 1.05 m, 90 degrees"});
+  EXPECT_FALSE(step.ending);
+}
+
 TEST(StartDialogue, EveryBadEndHasItsReason) {
   for (const Phase phase : {Phase::kRefused, Phase::kFailed, Phase::kStopped}) {
     Dialogue dialogue = sent(Action::kStart);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
+#include "common/robot/robot_description.hpp"
 
 namespace markservo::task_operator {
 namespace {
@@ -71,9 +72,11 @@ class OperatorOnABus : public ::testing::Test {
   void speak() {
     utime_ += 20'000;
     stop_.utime = task_.utime = task_.frame_utime = utime_;
-    stop_.device = "arm";
-    stop_.latched = latched_ ? 1 : 0;
-    stop_states_.publish(stop_);
+    for (const std::string& device : devices_) {
+      stop_.device = device;
+      stop_.latched = latched_ ? 1 : 0;
+      stop_states_.publish(stop_);
+    }
     if (task_.command_session != 0 && !procedure_.empty()) {
       task_.state = procedure_.front();
       if (procedure_.size() > 1) procedure_.erase(procedure_.begin());
@@ -81,6 +84,7 @@ class OperatorOnABus : public ::testing::Test {
     task_states_.publish(task_);
   }
 
+  const std::vector<std::string> devices_ = robot::load_robot_description(kRobotFile).stop_devices;
   bus::Bus bus_;
   bus::Publisher<StopState> stop_states_;
   bus::Publisher<TaskState> task_states_;
@@ -118,6 +122,25 @@ TEST_F(OperatorOnABus, StartSendsTheTargetAndFollowsTheTaskToItsEnd) {
   EXPECT_EQ(commands_[0].target, "blue_book");
   EXPECT_TRUE(commands_[0].carry);
   EXPECT_EQ(commands_[1].command_id, commands_[0].command_id);
+}
+
+TEST_F(OperatorOnABus, StartWithADriveSendsThePoseInRadiansAndFollowsIt) {
+  latched_ = false;
+  procedure_ = {TaskState::DRIVE, TaskState::DRIVE, TaskState::LOOK, TaskState::HOLD_LIFTED};
+  EXPECT_EQ(run({"start", "--target", "red_book", "--drive", "-0.2,1.05,90"}), kExitReached);
+  ASSERT_FALSE(commands_.empty());
+  EXPECT_TRUE(commands_[0].drive);
+  EXPECT_EQ(commands_[0].drive_pose.x, -0.2);
+  EXPECT_EQ(commands_[0].drive_pose.y, 1.05);
+  EXPECT_NEAR(commands_[0].drive_pose.heading, 1.5708, 1e-4);
+}
+
+TEST_F(OperatorOnABus, StartWithoutADriveStandsWhereItIs) {
+  latched_ = false;
+  procedure_ = {TaskState::HOLD_LIFTED};
+  EXPECT_EQ(run({"start", "--target", "red_book"}), kExitReached);
+  ASSERT_FALSE(commands_.empty());
+  EXPECT_FALSE(commands_[0].drive);
 }
 
 TEST_F(OperatorOnABus, AFailedTaskIsExitCodeOne) {
@@ -158,6 +181,19 @@ TEST_F(OperatorOnABus, UnknownTargetsAndActionsAreRefusedBeforeAnythingIsSent) {
   EXPECT_THROW(run({"start", "--target", "hand"}), ConfigurationError);
   EXPECT_THROW(run({"home", "--target", "red_book"}), ConfigurationError);
   EXPECT_THROW(run({"jump"}), CLI::ValidationError);
+}
+
+TEST_F(OperatorOnABus, APoseThatIsNoneIsRefusedBeforeAnythingIsSent) {
+  latched_ = false;
+  const auto start = [this](const std::string& pose) {
+    return run({"start", "--target", "red_book", "--drive", pose});
+  };
+  EXPECT_THROW(start("1.0,2.0"), CLI::ParseError);
+  EXPECT_THROW(start("1.0,2.0,3.0,4.0"), CLI::ParseError);
+  EXPECT_THROW(start("1.0,here,90"), CLI::ParseError);
+  EXPECT_THROW(start("1.0,nan,90"), ConfigurationError);
+  EXPECT_THROW(run({"home", "--drive", "1,2,90"}), ConfigurationError);
+  EXPECT_TRUE(commands_.empty());
 }
 
 }  // namespace

@@ -1,0 +1,170 @@
+#include "services/base-navigator/base_navigator_node.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/SonarScan.hpp>
+#include <markservo/StopState.hpp>
+#include <stdexcept>
+
+#include "common/robot/configuration_error.hpp"
+#include "services/base-navigator/navigator_messages.hpp"
+
+namespace markservo::base_navigator {
+namespace {
+
+constexpr double kLongestWait_s = 0.1;  // since the newest pose, up to which the one that answers is waited for
+constexpr std::chrono::milliseconds kWatch(100);
+constexpr std::chrono::milliseconds kSilence(300);
+
+const char* name_of(DriveState state) {
+  switch (state) {
+    case DriveState::kHold:
+      return "hold";
+    case DriveState::kDriving:
+      return "driving";
+    case DriveState::kArrived:
+      return "arrived";
+    case DriveState::kBlocked:
+      return "blocked";
+    case DriveState::kLost:
+      return "lost";
+    case DriveState::kStale:
+      return "stale";
+    case DriveState::kStopped:
+      return "stopped";
+  }
+  return "unknown";
+}
+
+// Counted as refused on its channel, and logged.
+void refuse(const std::string& problem) {
+  if (!problem.empty()) throw std::invalid_argument(problem);
+}
+
+}  // namespace
+
+void BaseNavigatorNode::add_options(CLI::App& app) {
+  app.add_option("--stop-device", stop_device_, "The base's name in STOP_STATE, one of robot.yaml's stop_devices")
+      ->capture_default_str();
+  const auto number = [&app](const char* name, double& value, const char* what, double min, double max) {
+    app.add_option(name, value, what)->check(CLI::Range(min, max))->capture_default_str();
+  };
+  add_motion_options(app);
+  ArrivalParameters& arrival = parameters_.manoeuvre.arrival;
+  number("--tolerance", arrival.position, "Arrived within, m", 0.002, 0.5);
+  number("--heading-tolerance", arrival.heading, "Arrived within, rad", 0.005, 0.5);
+  number("--coarse-tolerance", arrival.coarse_position, "Will do after all corrections, m", 0.002, 1.0);
+  number("--coarse-heading-tolerance", arrival.coarse_heading, "Will do after all corrections, rad", 0.005, 1.0);
+  app.add_option("--corrections", arrival.corrections, "At the goal, before it takes what it has or gives up")
+      ->check(CLI::Range(0, 20))
+      ->capture_default_str();
+  number("--settle-time", arrival.settle_time, "Standing before the pose is judged, s", 0.1, 10.0);
+  TrustParameters& trust = parameters_.trust;
+  number("--pose-age", trust.pose_age, "ROBOT_POSE older than that is not driven by, s", 0.05, 2.0);
+  number("--scan-age", trust.scan_age, "SONAR_SCAN older than that is not driven by, s", 0.05, 2.0);
+  number("--goal-age", trust.goal_age, "A goal not repeated for longer is not followed, s", 0.25, 5.0);
+  number("--position-sigma", trust.position_sigma, "Of a pose to drive by, at most, m", 0.01, 1.0);
+  number("--heading-sigma", trust.heading_sigma, "Of a pose to drive by, at most, rad", 0.02, 3.0);
+  ExploreParameters& explore = parameters_.explore;
+  app.add_option("--explore", explore.enabled, "Creep straight on to learn the heading when only that is unknown")
+      ->capture_default_str();
+  number("--explore-speed", explore.speed, "m/s", 0.02, 0.5);
+  number("--explore-way", explore.way, "m, at most", 0.05, 2.0);
+}
+
+void BaseNavigatorNode::add_motion_options(CLI::App& app) {
+  const auto number = [&app](const char* name, double& value, const char* what, double min, double max) {
+    app.add_option(name, value, what)->check(CLI::Range(min, max))->capture_default_str();
+  };
+  MotionParameters& motion = parameters_.manoeuvre.motion;
+  number("--speed", motion.speed, "At most, m/s; a goal may ask for less; never above robot.yaml's", 0.05, 10.0);
+  number("--turn-rate", motion.turn_rate, "At most, rad/s; never above robot.yaml's", 0.1, 20.0);
+  number("--acceleration", motion.acceleration, "m/s^2; robot.yaml's is used to brake for obstacles", 0.05, 10.0);
+  number("--turn-acceleration", motion.turn_acceleration, "rad/s^2", 0.2, 50.0);
+  PassageParameters& passage = parameters_.manoeuvre.passage;
+  number("--clearance", passage.clearance, "Kept from what the sonars see, m, for goals whose clearance is 0", 0.01,
+         2.0);
+  number("--turn-clearance", passage.turn_clearance, "Likewise while turning on the spot, at most, m", 0.01, 2.0);
+  number("--reaction", passage.reaction, "From an echo to the brakes, s", 0.02, 2.0);
+  number("--free-for", passage.free_for, "The way must be free for, before it goes on, s", 0.0, 10.0);
+}
+
+void BaseNavigatorNode::configure(const std::string& robot_file) {
+  const robot::RobotDescription description = robot::load_robot_description(robot_file);
+  const auto& devices = description.stop_devices;
+  if (std::find(devices.begin(), devices.end(), stop_device_) == devices.end()) {
+    std::string allowed;
+    for (const auto& device : devices) allowed += (allowed.empty() ? "" : ", ") + device;
+    throw ConfigurationError("--stop-device '" + stop_device_ + "': allowed: stop_devices of " + robot_file + ": " +
+                             allowed);
+  }
+  const ArrivalParameters& arrival = parameters_.manoeuvre.arrival;
+  if (arrival.coarse_position < arrival.position || arrival.coarse_heading < arrival.heading) {
+    throw ConfigurationError("--coarse-tolerance, --coarse-heading-tolerance: allowed: no less than --tolerance (" +
+                             std::to_string(arrival.position) + " m) and --heading-tolerance (" +
+                             std::to_string(arrival.heading) + " rad)");
+  }
+  try {
+    navigator_ = std::make_unique<Navigator>(description, parameters_);
+  } catch (const std::invalid_argument& error) {
+    throw ConfigurationError(robot_file + ": " + error.what());
+  }
+}
+
+void BaseNavigatorNode::start(bus::Bus& bus) {
+  bus_ = &bus;
+  commands_.emplace(bus.advertise<BaseCommand>("BASE_COMMAND"));
+  statuses_.emplace(bus.advertise<BaseStatus>("BASE_STATUS"));
+  bus.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& stop) {
+    if (stop.device == stop_device_) navigator_->observe_stop(stop.latched != 0, stop.reason, state_);
+  });
+  bus.on_each<BaseGoal>("BASE_GOAL",
+                        [this](const BaseGoal& goal) { refuse(navigator_->observe(goal_of(goal), state_)); });
+  bus.on_each<SonarScan>("SONAR_SCAN",
+                         [this](const SonarScan& scan) { refuse(navigator_->observe(scan_sample(scan), state_)); });
+  bus.on_each<WheelOdometry>("WHEEL_ODOMETRY", [this](const WheelOdometry& odometry) { handle(odometry); });
+  bus.on_each<RobotPose>("ROBOT_POSE", [this](const RobotPose& pose) { handle(pose); });
+  bus.every(kWatch, [this] { watch_for_odometry(); });
+  bus.set_state("stale", "no WHEEL_ODOMETRY yet");
+}
+
+void BaseNavigatorNode::handle(const WheelOdometry& odometry) {
+  heard_odometry_ = std::chrono::steady_clock::now();
+  if (const auto overdue = pacing_.next(identity(odometry))) answer(*overdue);
+  const std::string problem = navigator_->observe(odometry_sample(odometry), state_);
+  if (const auto due = pacing_.due(pose_, kLongestWait_s)) answer(*due);
+  refuse(problem);
+}
+
+void BaseNavigatorNode::handle(const RobotPose& pose) {
+  pose_ = identity(pose);
+  navigator_->observe(pose_sample(pose), state_);
+  if (const auto due = pacing_.due(pose_, kLongestWait_s)) answer(*due);
+}
+
+// The status first: who waits for the command of an odometry then has both.
+void BaseNavigatorNode::answer(const OdometryId& odometry) {
+  const Output output = navigator_->step(state_);
+  BaseStatus status = status_message(output.status, odometry);
+  statuses_->publish(status);
+  BaseCommand command = command_message(output.command, odometry);
+  commands_->publish(command);
+  tell(output.status.state, output.status.reason);
+}
+
+// Nothing can be said of a base that does not tell where its wheels are; no command stops it, by its own watchdog.
+void BaseNavigatorNode::watch_for_odometry() {
+  if (!heard_odometry_ || std::chrono::steady_clock::now() - *heard_odometry_ < kSilence) return;
+  tell(DriveState::kStale, "no WHEEL_ODOMETRY for 0.3 s");
+}
+
+void BaseNavigatorNode::tell(DriveState state, const std::string& reason) {
+  if (told_ == state) return;  // reasons may hold numbers that change with every answer
+  told_ = state;
+  bus_->set_state(name_of(state), reason);
+  spdlog::info("{}{}{}", name_of(state), reason.empty() ? "" : ": ", reason);
+}
+
+}  // namespace markservo::base_navigator

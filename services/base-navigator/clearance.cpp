@@ -1,0 +1,89 @@
+#include "services/base-navigator/clearance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace markservo::base_navigator {
+namespace {
+
+constexpr double kApproaching = 0.2;       // m nearer per m of way: less is driving past
+constexpr double kFirstApproach_m = 0.03;  // of way, on which that is judged
+
+struct Standpoint {
+  Eigen::Vector2d p_RS;
+  double cosine;
+  double sine;
+  double length;
+
+  Eigen::Vector2d seen_from_here(const Eigen::Vector2d& p_R) const {
+    const Eigen::Vector2d d = p_R - p_RS;
+    return {cosine * d.x() + sine * d.y(), cosine * d.y() - sine * d.x()};
+  }
+};
+
+// m of way up to where the point is nearer than `clearance`; the way's whole length if it never is.
+double way_to(const Outline& outline, double clearance, const Eigen::Vector2d& p_R,
+              const std::vector<Standpoint>& way) {
+  double before = distance_to_outline(outline, p_R);
+  if (before < clearance) {
+    const auto judged = std::find_if(
+        way.begin(), way.end(), [](const Standpoint& standpoint) { return standpoint.length >= kFirstApproach_m; });
+    const Standpoint& at = judged != way.end() ? *judged : way.back();
+    const double after = distance_to_outline(outline, at.seen_from_here(p_R));
+    return before - after > kApproaching * at.length ? 0.0 : way.back().length;
+  }
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double now = distance_to_outline(outline, way[i].seen_from_here(p_R));
+    if (now < clearance) {
+      const double part = (before - clearance) / (before - now);
+      return way[i - 1].length + part * (way[i].length - way[i - 1].length);
+    }
+    before = now;
+  }
+  return way.back().length;
+}
+
+}  // namespace
+
+double Outline::reach() const {
+  return std::hypot(std::max(front, rear), half_width);
+}
+
+double distance_to_outline(const Outline& outline, const Eigen::Vector2d& p_R) {
+  const double beyond_x = std::max({p_R.x() - outline.front, -outline.rear - p_R.x(), 0.0});
+  const double beyond_y = std::max(std::abs(p_R.y()) - outline.half_width, 0.0);
+  return std::hypot(beyond_x, beyond_y);
+}
+
+FreeWay free_way(const Outline& outline, double clearance, const std::vector<SeenPoint>& points,
+                 const std::vector<WayPose>& way) {
+  FreeWay free;
+  if (way.size() < 2) return free;
+  std::vector<Standpoint> standpoints;
+  standpoints.reserve(way.size());
+  for (const WayPose& pose : way) {
+    standpoints.push_back(
+        {pose.X_RS.position(), std::cos(pose.X_RS.heading), std::sin(pose.X_RS.heading), pose.length});
+  }
+  free.length = way.back().length;
+  for (const SeenPoint& point : points) {
+    const double length = way_to(outline, std::max(clearance, point.blind_range), point.p_R, standpoints);
+    if (length >= free.length) continue;
+    free.length = length;
+    free.limited = true;
+    free.distance = distance_to_outline(outline, point.p_R);
+    free.bearing = std::atan2(point.p_R.y(), point.p_R.x());
+  }
+  return free;
+}
+
+std::string side_of(double bearing) {
+  static const std::array<const char*, 8> kSides = {
+      "ahead",  "ahead on the left",   "on the left",  "behind on the left",
+      "behind", "behind on the right", "on the right", "ahead on the right"};
+  const double eighths = std::round(wrapped(bearing) / (M_PI / 4.0));
+  return kSides[static_cast<std::size_t>((static_cast<int>(eighths) + 8) % 8)];
+}
+
+}  // namespace markservo::base_navigator

@@ -1,0 +1,258 @@
+#include "services/base-navigator/manoeuvre.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "services/base-navigator/speed_profile.hpp"
+
+namespace markservo::base_navigator {
+namespace {
+
+constexpr double kWayStep_m = 0.03;
+constexpr double kLegEnd_m = 0.004;      // before a leg's end: what is left is less than the pose knows
+constexpr double kLooseLegEnd_m = 0.03;  // where another leg follows
+constexpr double kWrongWay_m_s = 0.03;   // still rolling the other way, or rolling while it should turn on the spot
+
+struct Error {
+  double distance;
+  double heading;
+};
+
+Error error_of(const PlanePose& X_WR, const PlanePose& X_WG) {
+  const PlanePose X_RG = X_WR.inverse() * X_WG;
+  return {X_RG.distance(), X_RG.heading};
+}
+
+bool within(const Error& error, double distance, double heading) {
+  return error.distance <= distance && std::abs(error.heading) <= heading;
+}
+
+bool coarsely_there(const ArrivalParameters& arrival, const Error& error) {
+  return within(error, arrival.coarse_position, arrival.coarse_heading);
+}
+
+}  // namespace
+
+Advice Manoeuvre::step(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
+  const ArrivalParameters& arrival = parameters_.arrival;
+  const Error error = error_of(situation.X_WR, goal.X_WG);
+  if (state.phase == Phase::kArrived && !within(error, arrival.leave_position, arrival.leave_heading)) {
+    state = ManoeuvreState();
+  }
+  if (state.phase == Phase::kPlan) plan(situation, goal, state);
+  switch (state.phase) {
+    case Phase::kTurnToCourse: {
+      const PlanePose X_VR = state.leg.X_WV.inverse() * situation.X_WR;
+      const Course course = steer(parameters_.course, X_VR, state.leg.direction);
+      if (std::abs(course.heading_error) > parameters_.turned) {
+        return turn(situation, goal, course.heading_error, state);
+      }
+      state.phase = Phase::kDrive;
+      return drive(situation, goal, state);
+    }
+    case Phase::kDrive:
+      return drive(situation, goal, state);
+    case Phase::kTurnToHeading:
+      if (std::abs(error.heading) > parameters_.turned) return turn(situation, goal, error.heading, state);
+      state.phase = Phase::kSettle;
+      return settle(situation, goal, state);
+    case Phase::kSettle:
+      return settle(situation, goal, state);
+    case Phase::kArrived:
+      return {stand(), DriveState::kArrived, ""};
+    case Phase::kPlan:
+    case Phase::kGivenUp:
+      break;
+  }
+  return {stand(), DriveState::kHold, state.given_up};
+}
+
+void Manoeuvre::interrupt(ManoeuvreState& state) {
+  state.standing_since = 0;
+  state.passage = PassageState();
+  if (state.phase != Phase::kArrived && state.phase != Phase::kGivenUp) state.phase = Phase::kPlan;
+}
+
+void Manoeuvre::plan(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
+  const LegParameters& legs = parameters_.legs;
+  const double look = legs.near + legs.back_off;
+  const double behind = straight_room(situation, goal.clearance, Direction::kBackward, look);
+  const double ahead = straight_room(situation, goal.clearance, Direction::kForward, look);
+  const bool docking = goal.clearance < legs.docking_below;
+  const LegPlan plan = plan_leg(legs, situation.X_WR, goal.X_WG, docking, state.ran_up, behind, ahead);
+  state.passage = PassageState();
+  state.standing_since = 0;
+  if (plan.there) {
+    state.phase = Phase::kTurnToHeading;
+    return;
+  }
+  state.leg = plan.leg;
+  const PlanePose X_VR = state.leg.X_WV.inverse() * situation.X_WR;
+  const Course course = steer(parameters_.course, X_VR, state.leg.direction);
+  state.phase = std::abs(course.heading_error) > parameters_.turn_first ? Phase::kTurnToCourse : Phase::kDrive;
+}
+
+Advice Manoeuvre::turn(const Situation& situation, const Assignment& goal, double angle, ManoeuvreState& state) const {
+  Motion wish;
+  if (std::abs(situation.measured.speed) > kWrongWay_m_s) return {wish, DriveState::kDriving, ""};
+  const MotionParameters& motion = parameters_.motion;
+  const double rate = std::clamp(stopping_speed(std::abs(angle), motion.turn_acceleration, parameters_.goal_reaction),
+                                 parameters_.turn_creep, motion.turn_rate);
+  wish.turn_rate = std::copysign(rate, angle);
+  const double clearance = std::min(goal.clearance, parameters_.passage.turn_clearance);
+  const FreeWay free = free_way(outline_, clearance, situation.points, turning_way(outline_, angle, kWayStep_m));
+  const double reach = outline_.reach();
+  Passage passage = pass(parameters_.passage, motion.turn_acceleration * reach, free, clearance, rate * reach, wish,
+                         situation.utime, state.passage);
+  if (passage.blocked) return make_room(situation, goal, free, passage, state);
+  return {passage.motion, DriveState::kDriving, ""};
+}
+
+Advice Manoeuvre::make_room(const Situation& situation, const Assignment& goal, const FreeWay& turn,
+                            const Passage& blocked, ManoeuvreState& state) const {
+  const Error error = error_of(situation.X_WR, goal.X_WG);
+  if (state.phase == Phase::kTurnToHeading && coarsely_there(parameters_.arrival, error)) {
+    state.phase = Phase::kSettle;
+    return settle(situation, goal, state);
+  }
+  if (turn.limited) {
+    const Direction away = std::abs(turn.bearing) < M_PI / 2.0 ? Direction::kBackward : Direction::kForward;
+    const double budget = parameters_.room_step_max * (1 + state.corrections) - state.room_made;
+    const double room = straight_room(situation, goal.clearance, away, 0.3);
+    if (budget > 0.0 && room > parameters_.passage.free_above) {
+      state.room_made += std::abs(situation.measured.speed) * situation.seconds;
+      PassageState passage;
+      return creep(situation, goal.clearance, away, 3.0 * parameters_.creep, passage);
+    }
+  }
+  return {blocked.motion, DriveState::kBlocked, blocked.reason};
+}
+
+Advice Manoeuvre::drive(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
+  const MotionParameters& motion = parameters_.motion;
+  const Direction direction = state.leg.direction;
+  const PlanePose X_VR = state.leg.X_WV.inverse() * situation.X_WR;
+  const Course course = steer(parameters_.course, X_VR, direction);
+  if (course.remaining <= (state.leg.to_goal ? kLegEnd_m : kLooseLegEnd_m)) {
+    end_leg(state);
+    return {stand(), DriveState::kDriving, ""};
+  }
+  if (std::abs(course.heading_error) > parameters_.off_course) {
+    state.phase = Phase::kPlan;
+    return {stand(), DriveState::kDriving, ""};
+  }
+  if (situation.measured.speed * sign_of(direction) < -kWrongWay_m_s) return {stand(), DriveState::kDriving, ""};
+
+  double speed = std::min(goal.speed, motion.speed);
+  speed = std::min(speed, stopping_speed(course.remaining, motion.acceleration, parameters_.goal_reaction));
+  speed = std::min(speed, motion.turn_rate / std::max(std::abs(course.curvature), 1e-3));
+  speed = std::max(speed, std::min(parameters_.creep, goal.speed));
+  Motion wish;
+  wish.speed = sign_of(direction) * speed;
+  wish.curvature = course.curvature;
+  const auto way = course_way(parameters_.course, X_VR, direction, kWayStep_m, sight_length());
+  const FreeWay free = free_way(outline_, goal.clearance, situation.points, way);
+  const Passage passage =
+      pass(parameters_.passage, motion.acceleration, free, goal.clearance, speed, wish, situation.utime, state.passage);
+  if (!passage.blocked) return {passage.motion, DriveState::kDriving, ""};
+  if (ends_at_obstacle(situation, goal, state)) {
+    state.leg.to_goal = true;
+    end_leg(state);
+    return {passage.motion, DriveState::kDriving, ""};
+  }
+  return {passage.motion, DriveState::kBlocked, passage.reason};
+}
+
+// Blocked at the goal itself: near enough, or the trouble is how the robot stands, and a correction mends that.
+bool Manoeuvre::ends_at_obstacle(const Situation& situation, const Assignment& goal,
+                                 const ManoeuvreState& state) const {
+  const ArrivalParameters& arrival = parameters_.arrival;
+  const Error error = error_of(situation.X_WR, goal.X_WG);
+  if (coarsely_there(arrival, error)) return true;
+  const PlanePose X_GR = goal.X_WG.inverse() * situation.X_WR;
+  const bool aligned = std::abs(X_GR.y) <= parameters_.legs.beside_within && std::abs(error.heading) <= arrival.heading;
+  return !aligned && error.distance <= parameters_.obstacle_at_goal && state.corrections < arrival.corrections;
+}
+
+void Manoeuvre::end_leg(ManoeuvreState& state) const {
+  state.passage = PassageState();
+  state.standing_since = 0;
+  if (state.leg.to_goal) {
+    state.phase = Phase::kTurnToHeading;
+  } else {
+    state.ran_up = true;
+    state.phase = Phase::kPlan;
+  }
+}
+
+Advice Manoeuvre::settle(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
+  const ArrivalParameters& arrival = parameters_.arrival;
+  Advice advice{stand(), DriveState::kDriving, ""};
+  if (!standing(situation)) {
+    state.standing_since = 0;
+    return advice;
+  }
+  if (state.standing_since == 0) state.standing_since = situation.utime;
+  const double stood = seconds_between(state.standing_since, situation.utime);
+  if (stood < arrival.settle_time) return advice;
+  const bool waited = stood >= arrival.settle_time_max;
+  const bool sharp = situation.position_sigma <= 0.5 * arrival.position;
+  const Error error = error_of(situation.X_WR, goal.X_WG);
+  if (within(error, arrival.position, arrival.heading)) {
+    if (!sharp && !waited) return advice;
+    state.phase = Phase::kArrived;
+    return {stand(), DriveState::kArrived, ""};
+  }
+  // What is only just outside may prove to be inside while the pose gets better.
+  if (!waited && (!sharp || coarsely_there(arrival, error))) return advice;
+  correct(situation, goal, state);
+  return advice;
+}
+
+void Manoeuvre::correct(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
+  const ArrivalParameters& arrival = parameters_.arrival;
+  const Error error = error_of(situation.X_WR, goal.X_WG);
+  state.standing_since = 0;
+  if (state.corrections < arrival.corrections) {
+    ++state.corrections;
+    state.phase = Phase::kPlan;
+  } else if (coarsely_there(arrival, error)) {
+    state.phase = Phase::kArrived;
+  } else {
+    char text[160];
+    std::snprintf(text, sizeof text, "gave up after %d corrections: %.3f m and %.1f degrees off; allowed %.3f m, %.1f",
+                  state.corrections, error.distance, error.heading * 180.0 / M_PI, arrival.coarse_position,
+                  arrival.coarse_heading * 180.0 / M_PI);
+    state.given_up = text;
+    state.phase = Phase::kGivenUp;
+  }
+}
+
+Advice Manoeuvre::creep(const Situation& situation, double clearance, Direction direction, double speed,
+                        PassageState& state) const {
+  const FreeWay free =
+      free_way(outline_, clearance, situation.points, straight_way(direction, kWayStep_m, sight_length()));
+  Motion wish;
+  wish.speed = sign_of(direction) * speed;
+  const Passage passage =
+      pass(parameters_.passage, parameters_.motion.acceleration, free, clearance, speed, wish, situation.utime, state);
+  return {passage.motion, passage.blocked ? DriveState::kBlocked : DriveState::kDriving, passage.reason};
+}
+
+double Manoeuvre::straight_room(const Situation& situation, double clearance, Direction direction,
+                                double length) const {
+  return free_way(outline_, clearance, situation.points, straight_way(direction, kWayStep_m, length)).length;
+}
+
+bool Manoeuvre::standing(const Situation& situation) const {
+  return std::abs(situation.measured.speed) <= parameters_.arrival.standing_speed &&
+         std::abs(situation.measured.turn_rate) <= parameters_.arrival.standing_turn_rate;
+}
+
+// m of way that matters: what it takes to stop comfortably from the greatest speed.
+double Manoeuvre::sight_length() const {
+  return stopping_way(parameters_.motion.speed, parameters_.motion.acceleration, parameters_.passage.reaction) + 0.3;
+}
+
+}  // namespace markservo::base_navigator

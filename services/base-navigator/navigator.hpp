@@ -1,0 +1,111 @@
+#pragma once
+
+// Drives the base to a goal pose, or says why not.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/robot/robot_description.hpp"
+#include "services/base-navigator/goal_memory.hpp"
+#include "services/base-navigator/manoeuvre.hpp"
+#include "services/base-navigator/navigator_types.hpp"
+#include "services/base-navigator/odometry_track.hpp"
+#include "services/base-navigator/sonar_memory.hpp"
+
+namespace markservo::base_navigator {
+
+struct TrustParameters {
+  double pose_age = 0.2;         // s; it stands when ROBOT_POSE is older than WHEEL_ODOMETRY by more
+  double scan_age = 0.25;        // s; likewise SONAR_SCAN: two rounds of 0.1 s and a late one
+  double goal_age = 0.6;         // s; goals are repeated at 0.2 s
+  double position_sigma = 0.10;  // m, of a pose to drive by
+  double heading_sigma = 0.3;    // rad, likewise; above it the heading is learnt first
+  double goal_distance = 100.0;  // m; a goal farther from the robot is a mistake
+  double restart_guard = 0.3;    // s after the start in which a goal in R is one that was given to a run before
+};
+
+// Tags alone do not tell a robot that stands which way it looks: it creeps straight ahead until they do.
+struct ExploreParameters {
+  bool enabled = true;
+  double speed = 0.1;            // m/s
+  double way = 0.4;              // m at most: four tags
+  double heading_known = 0.15;   // rad, the sigma at which it ends
+  double position_sigma = 0.20;  // m; without a heading the position is known less well while it moves
+};
+
+struct NavigatorParameters {
+  ManoeuvreParameters manoeuvre;
+  TrustParameters trust;
+  ExploreParameters explore;
+  OdometryParameters odometry;
+  SonarMemoryParameters sonars;
+};
+
+struct ExploreState {
+  bool active = false;
+  bool failed = false;
+  int epoch = 0;
+  PlanePose X_OR_start;
+  Direction direction = Direction::kForward;
+  PassageState passage;
+};
+
+struct NavigatorState {
+  OdometryTrack track;
+  SonarMemory sonars;
+  std::optional<PoseSample> pose;
+  GoalMemory goals;
+  std::string refusal;            // why the goal is not followed
+  std::optional<PlanePose> X_WG;  // DRIVE, once known
+  std::optional<PlanePose> X_OG;  // DRIVE in R, until X_WG is known
+  int X_OG_epoch = 0;
+  std::optional<bool> stop_latched;
+  std::string stop_reason;
+  ManoeuvreState manoeuvre;
+  ExploreState explore;
+  std::int64_t first_utime = 0;  // us, of the first odometry; 0 before
+  std::string odometry_problem;  // of the newest one
+  Command command;               // the last one
+};
+
+// observe() what comes in, then step() once for each WHEEL_ODOMETRY; now is the newest odometry's utime. What is wrong
+// with an input is returned as a text (empty: nothing), for the caller to count; the base does not move by it.
+class Navigator {
+ public:
+  // Limits of the base's own in `robot` lower those of the parameters. Throws std::invalid_argument if the robot has no
+  // base or no sonars.
+  Navigator(const robot::RobotDescription& robot, const NavigatorParameters& parameters);
+
+  std::string observe(const OdometrySample& sample, NavigatorState& state) const;
+  std::string observe(const PoseSample& sample, NavigatorState& state) const;
+  std::string observe(const SonarScanSample& scan, NavigatorState& state) const;
+  std::string observe(const Goal& goal, NavigatorState& state) const;
+  void observe_stop(bool latched, const std::string& reason, NavigatorState& state) const;
+
+  Output step(NavigatorState& state) const;
+
+  const NavigatorParameters& parameters() const { return parameters_; }
+
+ private:
+  struct Decision {
+    Advice advice;
+    bool at_once = false;  // not ramped: the base brakes as hard as it can
+  };
+
+  Decision decide(NavigatorState& state, Status& status) const;
+  std::string why_goal_is_refused(const Goal& goal, const NavigatorState& state) const;
+  std::string why_stale(const NavigatorState& state) const;
+  std::string why_lost(const NavigatorState& state) const;
+  PlanePose pose_now(const NavigatorState& state) const;
+  bool place_goal(NavigatorState& state) const;
+  std::optional<Advice> explore(const Situation& situation, double clearance, NavigatorState& state) const;
+
+  NavigatorParameters parameters_;
+  Outline outline_;
+  int num_sonars_ = 0;
+  double sonar_max_range_ = 0.0;
+  Manoeuvre manoeuvre_;
+};
+
+}  // namespace markservo::base_navigator

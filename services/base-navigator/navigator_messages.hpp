@@ -1,0 +1,30 @@
+#pragma once
+
+// Between messages and the navigator core's own structs.
+
+#include <markservo/BaseCommand.hpp>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
+#include <markservo/RobotPose.hpp>
+#include <markservo/SonarScan.hpp>
+#include <markservo/WheelOdometry.hpp>
+
+#include "services/base-navigator/answer_pacing.hpp"
+#include "services/base-navigator/navigator_types.hpp"
+
+namespace markservo::base_navigator {
+
+OdometrySample odometry_sample(const WheelOdometry& message);
+PoseSample pose_sample(const RobotPose& message);
+SonarScanSample scan_sample(const SonarScan& message);
+Goal goal_of(const BaseGoal& message);
+
+OdometryId identity(const WheelOdometry& message);
+// Of the odometry that the pose answers, at the pose's own time.
+OdometryId identity(const RobotPose& message);
+
+// The answers to an odometry; session and seq are the publisher's to fill.
+BaseCommand command_message(const Command& command, const OdometryId& odometry);
+BaseStatus status_message(const Status& status, const OdometryId& odometry);
+
+}  // namespace markservo::base_navigator

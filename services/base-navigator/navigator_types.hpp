@@ -1,0 +1,92 @@
+#pragma once
+
+// What the navigator is told and what it answers: plain structs behind the messages of lcmtypes. SI units, rad; frames
+// W world, R robot, S sonar, G goal; utime in us of measurement.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "services/base-navigator/plane_pose.hpp"
+
+namespace markservo::base_navigator {
+
+// One WHEEL_ODOMETRY.
+struct OdometrySample {
+  std::int64_t utime = 0;
+  std::int64_t session = 0;  // of the writer
+  double left = 0.0;         // m, way of the wheel since the driver started
+  double right = 0.0;
+};
+
+enum class Localisation { kSearching, kLocalised, kLost };
+
+// One ROBOT_POSE.
+struct PoseSample {
+  std::int64_t utime = 0;
+  Localisation state = Localisation::kSearching;
+  PlanePose X_WR;
+  double position_sigma = 0.0;  // m, along the worst axis
+  double heading_sigma = 0.0;   // rad
+  std::string reason;           // why it is searching or lost
+};
+
+struct SonarReading {
+  PlanePose X_RS;  // x is the beam's middle
+  bool heard = false;
+  double range = 0.0;  // m from the sonar
+};
+
+// One SONAR_SCAN.
+struct SonarScanSample {
+  std::int64_t utime = 0;
+  double min_range = 0.0;   // m
+  double beam_width = 0.0;  // rad, full cone
+  std::vector<SonarReading> readings;
+};
+
+enum class GoalKind { kHold, kDrive };
+enum class GoalFrame { kWorld, kRobot };
+
+// One BASE_GOAL.
+struct Goal {
+  std::int64_t utime = 0;
+  std::int64_t session = 0;
+  std::int64_t id = 0;
+  GoalKind kind = GoalKind::kHold;
+  GoalFrame frame = GoalFrame::kWorld;
+  PlanePose pose;          // X_WG, or X_RG at first hearing
+  double clearance = 0.0;  // m; 0: the parameters' own
+  double speed = 0.0;      // m/s; 0: the parameters' own
+};
+
+enum class DriveState { kHold, kDriving, kArrived, kBlocked, kLost, kStale, kStopped };
+
+// One BASE_COMMAND.
+struct Command {
+  double speed = 0.0;      // m/s, forward
+  double turn_rate = 0.0;  // rad/s, counter-clockwise
+};
+
+// One BASE_STATUS.
+struct Status {
+  DriveState state = DriveState::kHold;
+  double distance = 0.0;       // m, to the goal; 0 while that is unknown
+  double heading_error = 0.0;  // rad, goal minus robot; 0 while that is unknown
+  std::string reason;          // why it cannot go on
+  std::int64_t goal_session = 0;
+  std::int64_t goal_id = 0;
+};
+
+// What answers one WHEEL_ODOMETRY.
+struct Output {
+  Command command;
+  Status status;
+};
+
+// Seconds between two utimes.
+inline double seconds_between(std::int64_t from_utime, std::int64_t to_utime) {
+  return static_cast<double>(to_utime - from_utime) * 1e-6;
+}
+
+}  // namespace markservo::base_navigator

@@ -1,0 +1,87 @@
+#include "services/simulator/base_ports.hpp"
+
+#include <algorithm>
+#include <markservo/BaseStatus.hpp>
+#include <markservo/RobotPose.hpp>
+#include <stdexcept>
+
+#include "services/simulator/base_messages.hpp"
+
+namespace markservo::simulator {
+
+const std::vector<std::string>& BasePorts::answering_channels() {
+  static const std::vector<std::string> channels = {"BASE_COMMAND", "BASE_STATUS", "ROBOT_POSE"};
+  return channels;
+}
+
+BasePorts::BasePorts(bus::Bus& bus, Simulation& simulation, const std::vector<std::string>& awaited)
+    : simulation_(&simulation),
+      barrier_(awaited),
+      rounds_(bus.advertise<RfidTagHits>("RFID_TAG_HITS")),
+      scans_(bus.advertise<SonarScan>("SONAR_SCAN")),
+      truths_(bus.advertise<SimBaseTruth>("SIM_BASE_TRUTH")),
+      odometries_(bus.advertise<WheelOdometry>("WHEEL_ODOMETRY")) {
+  bus.on_each<BaseCommand>("BASE_COMMAND", [this](const BaseCommand& message) { on_command(message); });
+  const auto awaits = [&](const char* channel) {
+    return std::find(awaited.begin(), awaited.end(), channel) != awaited.end();
+  };
+  const auto note_on = [this](const char* channel) {
+    return [this, channel](const auto& message) {
+      barrier_.note(channel, message.odometry_session, message.odometry_seq);
+    };
+  };
+  if (awaits("BASE_STATUS")) bus.on_each<BaseStatus>("BASE_STATUS", note_on("BASE_STATUS"));
+  if (awaits("ROBOT_POSE")) bus.on_each<RobotPose>("ROBOT_POSE", note_on("ROBOT_POSE"));
+}
+
+void BasePorts::on_command(const BaseCommand& message) {
+  const CommandVerdict verdict = simulation_->command_base(
+      {message.odometry_session, message.odometry_seq, message.utime}, message.speed, message.turn_rate);
+  barrier_.note("BASE_COMMAND", message.odometry_session, message.odometry_seq);
+  switch (verdict) {
+    case CommandVerdict::kObeyed:
+    case CommandVerdict::kLatched:      // commands go on while the base is stopped
+    case CommandVerdict::kBeforeReset:  // and those under way at a reset come late
+      break;
+    default:
+      throw std::runtime_error("command for odometry " + std::to_string(message.odometry_seq) + " " +
+                               describe(verdict));
+  }
+}
+
+bool BasePorts::publish_due() {
+  const MobileBaseOutputs due = simulation_->take_due();
+  for (const TagRound& round : due.rounds) {
+    RfidTagHits message = rfid_message(round);
+    rounds_.publish(message);
+  }
+  if (due.scan) {
+    scan_ = sonar_message(*due.scan);
+    scans_.publish(*scan_);
+  }
+  if (!due.odometry) return false;
+  odometry_ = odometry_message(*due.odometry);
+  publish_odometry();
+  barrier_.expect(odometries_.session(), odometry_seq_);
+  return true;
+}
+
+void BasePorts::repeat() {
+  if (!odometry_) return;
+  if (scan_) scans_.publish(*scan_);
+  publish_odometry();
+  barrier_.expect_also(odometry_seq_);
+}
+
+void BasePorts::publish_odometry() {
+  ++odometry_seq_;
+  const MobileBaseTruth truth = simulation_->base_truth();
+  SimBaseTruth truth_message = base_truth_message(truth.base, odometry_->utime, odometry_seq_);
+  truth_message.touched = truth.touched ? 1 : 0;
+  truth_message.nearest = truth.nearest;
+  truths_.publish(truth_message);
+  simulation_->told_odometry(odometry_seq_);
+  odometries_.publish(*odometry_);
+}
+
+}  // namespace markservo::simulator

@@ -1,0 +1,88 @@
+#include "services/base-navigator/clearance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "services/base-navigator/course.hpp"
+
+namespace markservo::base_navigator {
+namespace {
+
+const Outline kOutline{0.22, 0.18, 0.18};
+const std::vector<WayPose> kAhead = straight_way(Direction::kForward, 0.03, 1.5);
+const std::vector<WayPose> kBack = straight_way(Direction::kBackward, 0.03, 1.5);
+
+SeenPoint at(double x, double y) {
+  SeenPoint point;
+  point.p_R = {x, y};
+  return point;
+}
+
+TEST(Clearance, StopsItsDistanceBeforeWhatStandsInTheWay) {
+  const FreeWay free = free_way(kOutline, 0.15, {at(1.0, 0.0)}, kAhead);
+  EXPECT_TRUE(free.limited);
+  EXPECT_NEAR(free.length, 1.0 - 0.22 - 0.15, 1e-6);
+  EXPECT_NEAR(free.distance, 0.78, 1e-9);
+  EXPECT_EQ(side_of(free.bearing), "ahead");
+}
+
+TEST(Clearance, OnlyTheDirectionOfMotionCounts) {
+  EXPECT_FALSE(free_way(kOutline, 0.15, {at(1.0, 0.0)}, kBack).limited);
+  EXPECT_NEAR(free_way(kOutline, 0.15, {at(-1.0, 0.0)}, kBack).length, 1.0 - 0.18 - 0.15, 1e-6);
+}
+
+TEST(Clearance, WhatIsBesideTheCorridorCountsWhenNearerThanTheClearance) {
+  EXPECT_FALSE(free_way(kOutline, 0.09, {at(1.0, 0.28)}, kAhead).limited);
+  EXPECT_TRUE(free_way(kOutline, 0.11, {at(1.0, 0.28)}, kAhead).limited);
+  EXPECT_TRUE(free_way(kOutline, 0.01, {at(1.0, 0.17)}, kAhead).limited);
+}
+
+TEST(Clearance, WhatIsTooNearAlreadyForbidsOnlyComingCloser) {
+  const SeenPoint shelf = at(0.30, 0.0);  // 8 cm before the front
+  EXPECT_EQ(free_way(kOutline, 0.15, {shelf}, kAhead).length, 0.0);
+  EXPECT_FALSE(free_way(kOutline, 0.15, {shelf}, kBack).limited);
+  const SeenPoint beside = at(0.0, 0.25);
+  EXPECT_FALSE(free_way(kOutline, 0.15, {beside}, kAhead).limited);
+}
+
+TEST(Clearance, AnEchoTooNearToBeMeasuredKeepsTheWholeBlindRange) {
+  SeenPoint blind = at(0.32, 0.0);
+  blind.blind_range = 0.10;
+  EXPECT_LT(free_way(kOutline, 0.03, {blind}, kAhead).length, 1e-6);
+  EXPECT_NEAR(free_way(kOutline, 0.03, {at(0.32, 0.0)}, kAhead).length, 0.07, 1e-6);
+}
+
+TEST(Clearance, ACurvedWaySweepsItsOwnCorridor) {
+  // A goal 1 m ahead and 0.4 m to the left: the way leaves the point ahead on the right, and meets the one on the left.
+  const PlanePose X_GR{-1.0, -0.4, 0.0};
+  const auto way = course_way(CourseParameters(), X_GR, Direction::kForward, 0.03, 3.0);
+  EXPECT_FALSE(free_way(kOutline, 0.05, {at(1.0, 0.1)}, way).limited);
+  EXPECT_TRUE(free_way(kOutline, 0.05, {at(0.9, 0.4)}, way).limited);
+  EXPECT_TRUE(free_way(kOutline, 0.05, {at(1.0, 0.1)}, kAhead).limited);
+}
+
+TEST(Clearance, NothingBeyondTheGoalCounts) {
+  const auto way = course_way(CourseParameters(), {-0.5, 0.0, 0.0}, Direction::kForward, 0.03, 3.0);
+  EXPECT_FALSE(free_way(kOutline, 0.12, {at(0.5 + 0.22 + 0.125, 0.0)}, way).limited);
+  EXPECT_TRUE(free_way(kOutline, 0.13, {at(0.5 + 0.22 + 0.125, 0.0)}, way).limited);
+}
+
+TEST(Clearance, TurningSweepsTheCorners) {
+  const double reach = std::hypot(0.22, 0.18);
+  const auto turn = turning_way(kOutline, M_PI, 0.03);
+  EXPECT_FALSE(free_way(kOutline, 0.05, {at(reach + 0.06, 0.0)}, turn).limited);
+  const FreeWay free = free_way(kOutline, 0.05, {at(reach + 0.03, 0.0)}, turn);
+  EXPECT_TRUE(free.limited);
+  EXPECT_GT(free.length, 0.0);
+}
+
+TEST(Clearance, NamesTheSideForPeople) {
+  EXPECT_EQ(side_of(0.8), "ahead on the left");
+  EXPECT_EQ(side_of(-1.6), "on the right");
+  EXPECT_EQ(side_of(M_PI), "behind");
+  EXPECT_EQ(side_of(-M_PI), "behind");
+}
+
+}  // namespace
+}  // namespace markservo::base_navigator
