@@ -55,6 +55,15 @@ TEST(FreeMotion, AStandingRobotKeepsItsPlace) {
   EXPECT_LT(std::sqrt(mixture[0].covariance(kX, kX)), 0.015) << "10 s at 1 mm/s";
 }
 
+TEST(FreeMotion, ARobotThatComesToAStandHasNoVelocityLeft) {
+  const FreeMotionModel model(kAtR, {});
+  Mixture mixture = moving(model, {0.3, -0.4}, 2);
+  for (int i = 0; i < 5; ++i) model.predict(mixture, i * 100'000, (i + 1) * 100'000);
+  EXPECT_GT(mixture[0].weight, 0.1);
+  EXPECT_EQ(mixture[0].mean.segment<2>(kVelocityX), Eigen::Vector2d(0.0, 0.0));
+  EXPECT_LT(mixture[0].covariance(kVelocityX, kVelocityX), 1e-5);
+}
+
 TEST(FreeMotion, SwitchesBetweenItsWaysToMoveWithoutLosingProbability) {
   const FreeMotionModel model(kAtR, {});
   for (const std::size_t likely : {0U, 1U, 2U}) {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/unit/rfid-localizer/drive.hpp"
+#include "tests/unit/rfid-localizer/tag_lattice.hpp"
 
 namespace markservo::rfid_localizer {
 namespace {
@@ -49,6 +50,29 @@ TEST(LocalizerCovariance, IsTrueOnAverageOverManyShortRuns) {
   EXPECT_LT(at_the_end, 4.5);
   EXPECT_GT(on_the_way, 2.0);
   EXPECT_LT(on_the_way, 4.5);
+}
+
+// 34 cm apart, with a reader that reaches 20 cm.
+TEST(LocalizerCovariance, IsTrueOnAverageAmongSparseTags) {
+  constexpr int kRuns = 30;
+  double on_the_way = 0.0;
+  double error = 0.0;
+  for (int seed = 1; seed <= kRuns; ++seed) {
+    DriveSettings settings = in_the_hall(seed);
+    settings.robot.rfid->reading_radius = 0.2;
+    settings.robot.rfid->edge_softness = 0.02;
+    settings.robot.floor_tags->fields.push_back(lattice(12, 12, 0.34));
+    settings.rig.tag_field = "lattice";
+    Drive drive(settings);
+    drive.stand(1.0);
+    drive.go(4.0, 0.4, 0.3);
+    const auto moving = drive.since(2.5);
+    for (const Scored& one : moving) on_the_way += one.nees() / kRuns / static_cast<double>(moving.size());
+    error += mean_error(moving) / kRuns;
+  }
+  EXPECT_GT(on_the_way, 1.5);
+  EXPECT_LT(on_the_way, 4.5);
+  EXPECT_LT(error, 0.045);
 }
 
 TEST(LocalizerCovariance, StaysOneOnLongRandomDrives) {
