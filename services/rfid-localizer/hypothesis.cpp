@@ -58,7 +58,7 @@ Hypothesis moments(const Mixture& mixture, int angle) {
   return result;
 }
 
-void tidy(Mixture& mixture, double least, double distance, int angle) {
+void tidy(Mixture& mixture, double least, double distance, std::size_t most, int angle) {
   double sum = 0.0;
   for (const Hypothesis& one : mixture) sum += one.weight;
   for (Hypothesis& one : mixture) one.weight /= sum;
@@ -75,6 +75,11 @@ void tidy(Mixture& mixture, double least, double distance, int angle) {
         ++j;
       }
     }
+  }
+  if (mixture.size() > most) {
+    std::sort(mixture.begin(), mixture.end(),
+              [](const Hypothesis& a, const Hypothesis& b) { return a.weight > b.weight; });
+    mixture.resize(most);
   }
   sum = 0.0;
   for (const Hypothesis& one : mixture) sum += one.weight;

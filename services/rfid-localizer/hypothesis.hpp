@@ -4,6 +4,7 @@
 // reader delay), without over (x, y, velocity x, velocity y, reader delay), of the robot in W at the filter's time.
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 namespace markservo::rfid_localizer {
@@ -36,7 +37,8 @@ Hypothesis moments(const Mixture& mixture, int angle);
 double unwrapped(double angle, double near);
 
 // Brings the weights to a sum of 1, drops hypotheses lighter than `least`, and merges those closer than `distance`
-// standard deviations of their own in every place. At least one stays.
-void tidy(Mixture& mixture, double least, double distance, int angle);
+// standard deviations of their own in every place; of more than `most` (above 0) then the heaviest stay. At least one
+// stays.
+void tidy(Mixture& mixture, double least, double distance, std::size_t most, int angle);
 
 }  // namespace markservo::rfid_localizer

@@ -53,12 +53,11 @@ void Localizer::lose(const std::string& why) {
 
 void Localizer::observe(const EncoderReading& reading) {
   if (!history_.empty() && reading.utime <= history_.newest()) {
-    const bool same_driver = reading.session == wheel_session_;
-    if (same_driver) {
+    if (reading.session == wheel_session_ && !late_odometry_.persists()) {
       ++faults_.late_odometry;
       refuse_time("WHEEL_ODOMETRY", reading.utime, history_.newest());
     }
-    // Another driver with another clock: all that was known belongs to another time.
+    // Another driver, or a clock that was set back: all that was known belongs to another time.
     history_.clear();
     counters_.forget();
     last_round_.reset();
@@ -73,6 +72,7 @@ void Localizer::observe(const EncoderReading& reading) {
       mixture_utime_ = kept;
     }
   }
+  late_odometry_.passed();
   wheel_session_ = reading.session;
   const std::optional<WheelMotion> motion = counters_.motion(reading);
   faults_.tick_jumps = counters_.jumps();
@@ -89,9 +89,9 @@ Localizer::Window Localizer::window_of(const TagRound& round) const {
   }
   // The host's window spans two rounds when an answer was lost.
   if (window.length < nominal / 2 || window.length > nominal * 3 / 2) window.length = nominal;
-  double delay = parameters_.delay.mean;
-  if (!mixture_.empty()) delay = moments(mixture_, -1).mean[kDelay];
-  window.middle = round.utime - static_cast<std::int64_t>(std::lround(1e6 * delay));
+  window.delay = parameters_.delay.mean;
+  if (!mixture_.empty()) window.delay = moments(mixture_, -1).mean[kDelay];
+  window.middle = round.utime - static_cast<std::int64_t>(std::lround(1e6 * window.delay));
   return window;
 }
 
@@ -119,6 +119,11 @@ void Localizer::choose_motion(std::int64_t utime) {
   const Motion* wanted = wheels ? static_cast<const Motion*>(&wheel_motion_) : &free_motion_;
   if (wanted == motion_) return;
   if (!mixture_.empty()) {
+    // What lies before the wheels' record is inertia's still.
+    if (wheels && mixture_utime_ < history_.oldest()) {
+      motion_->predict(mixture_, mixture_utime_, history_.oldest());
+      mixture_utime_ = history_.oldest();
+    }
     // The place stays known; how the robot moves is learnt anew.
     const Hypothesis all = moments(mixture_, has_wheels() ? kHeading : -1);
     const AntennaView view = motion_->antenna(all, mixture_utime_, 0);
@@ -157,9 +162,16 @@ double Localizer::position_sigma() const {
 
 void Localizer::require_possible(const TagRound& round) {
   if (last_round_ && round.utime <= *last_round_) {
-    ++faults_.late_rounds;
-    refuse_time("RFID_TAG_HITS", round.utime, *last_round_);
+    if (round.session == reader_session_ && !late_rounds_.persists()) {
+      ++faults_.late_rounds;
+      refuse_time("RFID_TAG_HITS", round.utime, *last_round_);
+    }
+    // Another reader, or a clock that was set back.
+    last_round_.reset();
+    paper_.restart();
+    lose("RFID_TAG_HITS began anew at an earlier time");
   }
+  late_rounds_.passed();
   if (!round.window_known) return;
   constexpr std::int64_t kOldest = 5'000'000;  // us; robot.yaml's longest delay
   const auto longest = static_cast<std::int64_t>(std::lround(3e6 * rfid_.round_time));
@@ -175,6 +187,7 @@ void Localizer::require_possible(const TagRound& round) {
 void Localizer::observe(const TagRound& round) {
   require_possible(round);
   last_round_ = round.utime;
+  reader_session_ = round.session;
   choose_motion(round.utime);
 
   std::vector<std::optional<std::int64_t>> moments_read;
@@ -229,10 +242,13 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
   std::vector<double> chances;
   Mixture updated;
   for (Hypothesis& one : mixture_) {
-    const AntennaView view = motion_->antenna(one, window.middle, window.length);
+    AntennaView view = motion_->antenna(one, window.middle, window.length);
     Eigen::Matrix<double, 2, 5> H = view.H;
-    // Where the antenna was in the round's true middle: later than ours by what the delay is shorter.
+    // Where the antenna was in the round's true middle: later than ours by what the delay is shorter, and by what the
+    // mixture has not been led up to.
     if (!round.window_known) H.col(kDelay) = -view.velocity;
+    const double earlier = round.window_known ? 0.0 : one.mean[kDelay] - window.delay;
+    view.p_WF += (kSeconds * static_cast<double>(window.middle - mixture_utime_) - earlier) * view.velocity;
     const Eigen::Matrix2d S = H * one.covariance * H.transpose();
     const double own_sigma = larger_sigma(S);
     const double way = view.velocity.norm() * round_s;
@@ -294,26 +310,28 @@ bool Localizer::match(const std::vector<int>& tags, const std::vector<std::optio
   bool explained = false;  // some read, by a place that the antenna may have been at
   for (std::size_t k = 0; k < learnt.size(); ++k) {
     const bool read = std::find(reachable.begin(), reachable.end(), learnt[k]) != reachable.end();
-    const double share = inside[k] / evidence;
-    reliability_.learn(learnt[k], read, share);
-    explained = explained || (read && share >= parameters_.trust.explained);
+    explained = explained || (read && inside[k] / evidence >= parameters_.trust.explained);
+  }
+  // Only a round that hears something tells which tags are silent: a reader that hears nothing would unlearn the map.
+  for (std::size_t k = 0; explained && k < learnt.size(); ++k) {
+    const bool read = std::find(reachable.begin(), reachable.end(), learnt[k]) != reachable.end();
+    reliability_.learn(learnt[k], read, inside[k] / evidence);
   }
   for (double& chance : chances) chance /= weights;
   const double surprised = surprise(chances, std::log(evidence / weights), parameters_.match.false_read);
   motion_->clean(updated);
   mixture_ = std::move(updated);
 
-  Agreement agreement = explained ? Agreement::kAgrees : Agreement::kContradicts;
-  if (reachable.empty() && evidence >= parameters_.trust.unlikely) agreement = Agreement::kNothing;
-  const Hypothesis after = moments(mixture_, has_wheels() ? kHeading : -1);
-  return trust_.follow(agreement, surprised, larger_sigma(after.covariance.topLeftCorner<2, 2>()));
+  if (reachable.empty()) return trust_.follow_silence(evidence / weights);
+  return trust_.follow(explained ? Agreement::kAgrees : Agreement::kContradicts, surprised, position_sigma());
 }
 
 Estimate Localizer::estimate(std::int64_t utime) const {
   Estimate estimate;
   estimate.paper = paper_estimate_;
   estimate.delay = parameters_.delay;
-  const double since_round = last_round_ ? kSeconds * static_cast<double>(utime - *last_round_) : 0.0;
+  // A round from far ahead of now is of another clock, and no news either.
+  const double since_round = last_round_ ? std::abs(kSeconds * static_cast<double>(utime - *last_round_)) : 0.0;
   if (mixture_.empty()) {
     constexpr double kNowhere = 1e4;  // m^2: no place is known
     estimate.pose.covariance.diagonal() << kNowhere, kNowhere, M_PI * M_PI / 3.0;

@@ -28,6 +28,7 @@ struct TagRead {
 
 struct TagRound {
   std::int64_t utime = 0;         // us, of the answer's arrival
+  std::int64_t session = 0;       // of the reader's driver
   std::int64_t window_start = 0;  // us; as RfidTagHits.lcm says
   std::int64_t window_end = 0;
   bool window_known = false;
@@ -57,6 +58,18 @@ struct LocalizerFaults {
   std::int64_t late_odometry = 0;   // likewise
   std::int64_t wrong_windows = 0;   // rounds said to have been when they cannot have been
   std::int64_t tick_jumps = 0;      // of the encoders' counters
+};
+
+// Messages that come late one after another are not late: the clock was set back.
+class Lateness {
+ public:
+  // Another late one. True when there are so many that their time is the time now.
+  bool persists() { return ++in_a_row_ > kMost; }
+  void passed() { in_a_row_ = 0; }
+
+ private:
+  static constexpr int kMost = 20;
+  int in_a_row_ = 0;
 };
 
 struct Estimate {
@@ -90,6 +103,7 @@ class Localizer {
   struct Window {
     std::int64_t middle = 0;  // us
     std::int64_t length = 0;  // us
+    double delay = 0.0;       // s, that the middle was told by
   };
 
   Window window_of(const TagRound& round) const;
@@ -121,6 +135,8 @@ class Localizer {
   Trust trust_;
   std::optional<std::int64_t> last_round_;
   std::int64_t wheel_session_ = 0;
+  std::int64_t reader_session_ = 0;
+  Lateness late_odometry_, late_rounds_;
   LocalizerFaults faults_;
 };
 

@@ -55,7 +55,8 @@ EncoderReading encoder_reading(const WheelOdometry& message) {
 }
 
 TagRound tag_round(const RfidTagHits& message) {
-  TagRound round{message.utime, message.window_start, message.window_end, message.window_known != 0, {}};
+  TagRound round{message.utime,      message.session,           message.window_start,
+                 message.window_end, message.window_known != 0, {}};
   for (const RfidTagHit& hit : message.hits) {
     round.reads.push_back({hit.uid, {}});
     if (hit.read_time_known != 0) round.reads.back().read_utime = hit.read_utime;

@@ -1,6 +1,7 @@
 #include "services/rfid-localizer/trust.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace markservo::rfid_localizer {
@@ -14,6 +15,14 @@ bool Trust::follow(Agreement agreement, double surprise, double sigma) {
     if (agreements_ == parameters_.confirmations && sigma <= parameters_.largest_sigma) placed_once_ = true;
   }
   if (agreement == Agreement::kContradicts) doubt_ += 1.0;
+  return doubt_ >= parameters_.lost;
+}
+
+bool Trust::follow_silence(double probability) {
+  if (probability > parameters_.usual_silence) return false;
+  constexpr double kLeast = 1e-300;
+  const double doubtful = std::log(std::max(probability, kLeast)) / std::log(parameters_.unlikely);
+  doubt_ += std::min(doubtful, 1.0);
   return doubt_ >= parameters_.lost;
 }
 

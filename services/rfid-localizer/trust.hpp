@@ -14,7 +14,8 @@ struct TrustParameters {
   double suspect = 3.0;         // of doubt; more is no place to drive by
   double usual_surprise = 1.2;  // standard deviations; a round with reads and less lowers the doubt; nine in ten have
   double surprise_scale = 2.0;  // standard deviations beyond the usual raise the doubt by 1, which is the most
-  double unlikely = 0.01;       // an empty round with less probability contradicts
+  double unlikely = 0.01;       // a silent round of this probability raises the doubt by 1, which is the most
+  double usual_silence = 0.2;   // a silent round of more probability says nothing
   double explained = 0.05;      // a read whose tag was inside the footprint with less probability is no confirmation
   int confirmations = 3;        // agreeing rounds with reads until a new place is believed
   double largest_sigma = 0.15;  // m, of the position: more is no place to drive by
@@ -24,8 +25,7 @@ struct TrustParameters {
 // How a round looks to the estimate.
 enum class Agreement {
   kAgrees,       // reads that the antenna can have reached
-  kNothing,      // nothing read where that is no wonder
-  kContradicts,  // only reads from elsewhere, or nothing where tags must answer
+  kContradicts,  // only reads from elsewhere
 };
 
 class Trust {
@@ -37,6 +37,8 @@ class Trust {
   // as those of a robot that slipped aside. True when the estimate has lost all
   // trust and must be given up.
   bool follow(Agreement agreement, double surprise, double sigma);
+  // A round without any read, which the estimate lets expect with `probability`. True as follow().
+  bool follow_silence(double probability);
   // The estimate is given up; `why` stays the reason until another place finds agreement.
   void lose(const std::string& why);
 

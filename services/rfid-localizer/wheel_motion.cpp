@@ -60,7 +60,7 @@ AntennaView WheelMotionModel::antenna(const Hypothesis& hypothesis, std::int64_t
 }
 
 void WheelMotionModel::clean(Mixture& mixture) const {
-  tidy(mixture, parameters_.least_weight, parameters_.merge_distance, kHeading);
+  tidy(mixture, parameters_.least_weight, parameters_.merge_distance, parameters_.most, kHeading);
 }
 
 PoseEstimate WheelMotionModel::pose(const Mixture& mixture, std::int64_t utime) const {

@@ -10,9 +10,10 @@ namespace markservo::rfid_localizer {
 
 struct WheelMotionParameters {
   WheelNoise noise;
-  double scale_sigma = 0.02;    // of the wheels' effective radius, before any read
-  int headings = 16;            // hypotheses of an unknown heading: 22.5 degrees apart an arc is still straight enough
-  double least_weight = 1e-6;   // two silent rounds in a row over a tag (0.05 each) must not end the right one
+  double scale_sigma = 0.02;   // of the wheels' effective radius, before any read
+  int headings = 16;           // hypotheses of an unknown heading: 22.5 degrees apart an arc is still straight enough
+  double least_weight = 1e-6;  // two silent rounds in a row over a tag (0.05 each) must not end the right one
+  std::size_t most = 200;  // hypotheses, after a round: reads that fit no place must not cost more than a round's time
   double merge_distance = 0.7;  // standard deviations: what such neighbours say together is still a Gaussian
 };
 

@@ -7,22 +7,25 @@ namespace markservo::rfid_localizer {
 void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise& noise) {
   StateVector& x = hypothesis.mean;
   // An arc ends where its chord does; a piece of the record may bend much when readings were lost.
-  const double half = 0.5 * motion.turn;
+  // A wheel that is larger than told turns the robot by more as well.
+  const double turn = motion.turn * (1.0 + x[kScale]);
+  const double half = 0.5 * turn;
   const double told = std::abs(half) > 1e-6 ? motion.way * std::sin(half) / half : motion.way;
   const double way = told * (1.0 + x[kScale]);
-  const double middle = x[kHeading] + 0.5 * motion.turn;
+  const double middle = x[kHeading] + half;
   const double c = std::cos(middle);
   const double s = std::sin(middle);
 
   StateCovariance F = StateCovariance::Identity();
   F(kX, kHeading) = -way * s;
   F(kY, kHeading) = way * c;
-  F(kX, kScale) = told * c;
-  F(kY, kScale) = told * s;
+  F(kX, kScale) = told * c - way * s * 0.5 * motion.turn;
+  F(kY, kScale) = told * s + way * c * 0.5 * motion.turn;
+  F(kHeading, kScale) = motion.turn;
 
   x[kX] += way * c;
   x[kY] += way * s;
-  x[kHeading] += motion.turn;
+  x[kHeading] += turn;
 
   StateCovariance& P = hypothesis.covariance;
   P = F * P * F.transpose();

@@ -65,7 +65,7 @@ TEST(Tidy, MergesNeighboursAndKeepsTheFirstTwoMoments) {
   Mixture mixture = {gaussian(0.2, 0.000, 3.14), gaussian(0.5, 0.004, -3.14), gaussian(0.3, 5.0, 0.0)};
   mixture[0].covariance(kX, kHeading) = mixture[0].covariance(kHeading, kX) = 5e-5;
   const Hypothesis before = moments(mixture, kHeading);
-  tidy(mixture, 1e-4, 0.7, kHeading);
+  tidy(mixture, 1e-4, 0.7, 100, kHeading);
   ASSERT_EQ(mixture.size(), 2U) << "across the seam";
   const Hypothesis after = moments(mixture, kHeading);
   EXPECT_LT((after.mean - before.mean).norm(), 1e-9);
@@ -74,20 +74,20 @@ TEST(Tidy, MergesNeighboursAndKeepsTheFirstTwoMoments) {
 
 TEST(Tidy, KeepsApartWhatIsFarInOnePlaceOnly) {
   Mixture mixture = {gaussian(0.5, 0.0, 0.0), gaussian(0.5, 0.0, 0.02)};  // two standard deviations of heading
-  tidy(mixture, 1e-4, 0.7, kHeading);
+  tidy(mixture, 1e-4, 0.7, 100, kHeading);
   EXPECT_EQ(mixture.size(), 2U);
 }
 
 // A wide Gaussian would swallow a narrow one that says much more.
 TEST(Tidy, MeasuresDistanceByTheNarrowerOfTwo) {
   Mixture mixture = {gaussian(0.5, 0.0, 0.0, 1.0), gaussian(0.5, 0.05, 0.0, 1e-4)};
-  tidy(mixture, 1e-4, 0.7, kHeading);
+  tidy(mixture, 1e-4, 0.7, 100, kHeading);
   EXPECT_EQ(mixture.size(), 2U);
 }
 
 TEST(Tidy, DropsTheLightOnesAndBringsTheWeightsToOne) {
   Mixture mixture = {gaussian(3e-9, 0.0, 0.0), gaussian(8e-6, 1.0, 0.0), gaussian(2e-6, 2.0, 0.0)};
-  tidy(mixture, 0.01, 0.7, kHeading);
+  tidy(mixture, 0.01, 0.7, 100, kHeading);
   ASSERT_EQ(mixture.size(), 2U);
   EXPECT_NEAR(mixture[0].weight, 0.8, 1e-3);
   EXPECT_NEAR(mixture[0].weight + mixture[1].weight, 1.0, 1e-12);
@@ -95,10 +95,23 @@ TEST(Tidy, DropsTheLightOnesAndBringsTheWeightsToOne) {
 
 TEST(Tidy, LeavesOneHowEverLight) {
   Mixture mixture = {gaussian(1e-300, 1.0, 0.0), gaussian(2e-300, 2.0, 0.0)};
-  tidy(mixture, 1.0, 0.7, kHeading);
+  tidy(mixture, 1.0, 0.7, 100, kHeading);
   ASSERT_EQ(mixture.size(), 1U);
   EXPECT_EQ(mixture[0].mean[kX], 2.0);
   EXPECT_NEAR(mixture[0].weight, 1.0, 1e-12);
+}
+
+TEST(Tidy, KeepsNoMoreThanTheHeaviest) {
+  Mixture mixture(50);
+  for (std::size_t i = 0; i < mixture.size(); ++i) {
+    mixture[i].mean[kX] = static_cast<double>(i);
+    mixture[i].weight = static_cast<double>(i + 1);
+    mixture[i].covariance = 1e-4 * StateCovariance::Identity();
+  }
+  tidy(mixture, 1e-6, 0.7, 8, kHeading);
+  ASSERT_EQ(mixture.size(), 8u);
+  EXPECT_DOUBLE_EQ(mixture.front().mean[kX], 49.0);
+  EXPECT_DOUBLE_EQ(mixture.back().mean[kX], 42.0);
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST(Localizer, RefusesAWindowThatCannotBe) {
                                    {now - 10'100'000, now - 10'000'000},
                                    {now, now - 100'000},
                                    {now, now + 100'000}}) {
-    EXPECT_THROW(drive.localizer().observe(TagRound{now, start, end, true, {}}), std::invalid_argument) << start;
+    EXPECT_THROW(drive.localizer().observe(TagRound{now, 1, start, end, true, {}}), std::invalid_argument) << start;
   }
   EXPECT_EQ(drive.localizer().faults().wrong_windows, 5);
   EXPECT_EQ(drive.now().estimate.pose.pose, before.estimate.pose.pose);

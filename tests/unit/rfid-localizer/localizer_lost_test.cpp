@@ -109,6 +109,40 @@ TEST(Localizer, WhereTagsMustAnswerButNoneDoesIsLost) {
   EXPECT_LT(drive.now().error(), 0.03) << "the tags are forgiven";
 }
 
+TEST(Localizer, HearingNothingAnyMoreIsLostAnywhereInTheHall) {
+  for (const double speed : {0.0, 0.1, 0.4}) {
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+      DriveSettings settings = in_the_hall(seed);
+      settings.start = {0.7 + 0.173 * static_cast<double>(seed), 2.9 - 0.191 * static_cast<double>(seed), 0.3};
+      Drive drive(settings);
+      drive.go(3.0, 0.1);
+      if (!drive.now().localised()) continue;
+      drive.tamper = [](TagRound& round) { round.reads.clear(); };
+      drive.go(3.0, speed);
+      EXPECT_EQ(drive.now().estimate.placement, Placement::kLost) << "seed " << seed << ", " << speed << " m/s";
+    }
+  }
+}
+
+TEST(Localizer, TakesAReaderThatBeganAnewAtAnEarlierTime) {
+  Drive drive(in_the_hall(1));
+  drive.stand(2.0);
+  drive.tamper = [](TagRound& round) { round.utime += 3'600'000'000, round.window_end = round.utime; };
+  drive.go(0.4, 0.0);
+  drive.tamper = [](TagRound&) {};
+  int refused = 0;
+  for (int i = 0; i < 40; ++i) {
+    try {
+      drive.stand(0.1);
+    } catch (const std::invalid_argument&) {
+      ++refused;
+    }
+  }
+  EXPECT_LT(refused, 30);
+  drive.stand(2.0);
+  EXPECT_TRUE(drive.now().localised()) << drive.now().estimate.reason;
+}
+
 TEST(Localizer, WithASilentReaderIsLostWithAReasonAfterTwoSeconds) {
   Drive drive(in_the_hall(1));
   drive.stand(2.0);

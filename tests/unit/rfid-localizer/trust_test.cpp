@@ -19,7 +19,7 @@ TEST(Trust, IsWonByThreeRoundsThatAgree) {
   EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kSearching);
   EXPECT_NE(trust.reason(kNear, 0.0).find("no tag"), std::string::npos);
   trust.follow(Agreement::kAgrees, kUsual, kNear);
-  trust.follow(Agreement::kNothing, kUsual, kNear);
+  trust.follow_silence(0.9);
   trust.follow(Agreement::kAgrees, kUsual, kNear);
   EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kSearching);
   EXPECT_NE(trust.reason(kNear, 0.0).find("2 of 3"), std::string::npos) << trust.reason(kNear, 0.0);
@@ -74,8 +74,20 @@ TEST(Trust, IsNotLostByAnOddSurprise) {
 
 TEST(Trust, IsNotTouchedByRoundsThatSayNothing) {
   Trust trust = placed();
-  for (int i = 0; i < 100; ++i) EXPECT_FALSE(trust.follow(Agreement::kNothing, kUsual, kNear));
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(trust.follow_silence(0.5));
   EXPECT_EQ(trust.placement(kNear, 0.0), Placement::kLocalised);
+}
+
+TEST(Trust, IsLostTheSoonerTheLessASilenceWasToBeExpected) {
+  const auto rounds = [](double probability) {
+    Trust trust = placed();
+    int count = 1;
+    while (!trust.follow_silence(probability) && count < 100) ++count;
+    return count;
+  };
+  EXPECT_EQ(rounds(1e-4), 5);
+  EXPECT_EQ(rounds(0.05), 8);
+  EXPECT_EQ(rounds(0.0), 5);
 }
 
 TEST(Trust, EndsWhereThePositionIsKnownTooBadly) {
