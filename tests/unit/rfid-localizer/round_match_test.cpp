@@ -145,10 +145,12 @@ TEST(RoundMatch, WithoutTagsNearLeavesThePriorAsItIs) {
 TEST(RoundMatch, SplitsWhatIsTooWideIntoPartsThatAddUpToTheWhole) {
   RoundMatchParameters in_one;
   in_one.widest = 1e9;
+  RoundMatchParameters in_parts;
+  in_parts.widest = 3.0;  // softnesses: 3 cm
   for (const double sigma : {0.05, 0.1}) {
     const auto outcomes = round_at({0.0, 0.0}, {2.5, 0.0}, 0.6);  // beyond the lattice's edge: hardly a tag
     const Eigen::Vector2d prior(2.5, 0.0);
-    const auto parts = match_round(prior, round_prior(sigma), outcomes, kStanding, kModel, {});
+    const auto parts = match_round(prior, round_prior(sigma), outcomes, kStanding, kModel, in_parts);
     const auto one = match_round(prior, round_prior(sigma), outcomes, kStanding, kModel, in_one);
     ASSERT_EQ(one.parts.size(), 1U);
     ASSERT_EQ(parts.parts.size(), sigma > 0.06 ? 3U : 2U);
