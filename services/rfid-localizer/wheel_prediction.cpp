@@ -19,8 +19,10 @@ void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise
   StateCovariance F = StateCovariance::Identity();
   F(kX, kHeading) = -way * s;
   F(kY, kHeading) = way * c;
-  F(kX, kScale) = told * c - way * s * 0.5 * motion.turn;
-  F(kY, kScale) = told * s + way * c * 0.5 * motion.turn;
+  // Of the chord's length and of its direction.
+  const double longer = motion.way * std::cos(half);
+  F(kX, kScale) = longer * c - way * s * 0.5 * motion.turn;
+  F(kY, kScale) = longer * s + way * c * 0.5 * motion.turn;
   F(kHeading, kScale) = motion.turn;
 
   x[kX] += way * c;

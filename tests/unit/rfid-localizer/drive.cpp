@@ -16,7 +16,7 @@ LocalizerParameters with_survey(LocalizerParameters parameters, const robot::Rob
 }
 
 TagRound heard(const simulator::TagRound& round) {
-  TagRound result{round.utime, round.window_start, round.window_end, round.window_known, {}};
+  TagRound result{round.utime, kSession, round.window_start, round.window_end, round.window_known, {}};
   for (const simulator::TagHit& hit : round.hits) {
     result.reads.push_back({hit.uid, {}});
     if (hit.read_time_known) result.reads.back().read_utime = hit.read_utime;

@@ -66,7 +66,7 @@ TEST(Localizer, RefusesTimesThatRunBackwardsAndIsNotMoved) {
   drive.go(2.0, 0.4);
   const Scored before = drive.now();
   Localizer& localizer = drive.localizer();
-  const TagRound late{drive.utime() - 500'000, drive.utime() - 600'000, drive.utime() - 500'000, false, {}};
+  const TagRound late{drive.utime() - 500'000, 5, drive.utime() - 600'000, drive.utime() - 500'000, false, {}};
   EXPECT_THROW(localizer.observe(late), std::invalid_argument);
   EXPECT_THROW(localizer.observe(EncoderReading{drive.utime() - 20'000, 5, 0, 0}), std::invalid_argument);
   EXPECT_THROW(localizer.observe(EncoderReading{drive.utime(), 5, 0, 0}), std::invalid_argument);
@@ -95,7 +95,7 @@ TEST(Localizer, RefusesAWindowThatCannotBe) {
                                    {now - 10'100'000, now - 10'000'000},
                                    {now, now - 100'000},
                                    {now, now + 100'000}}) {
-    EXPECT_THROW(drive.localizer().observe(TagRound{now, 1, start, end, true, {}}), std::invalid_argument) << start;
+    EXPECT_THROW(drive.localizer().observe(TagRound{now, 5, start, end, true, {}}), std::invalid_argument) << start;
   }
   EXPECT_EQ(drive.localizer().faults().wrong_windows, 5);
   EXPECT_EQ(drive.now().estimate.pose.pose, before.estimate.pose.pose);

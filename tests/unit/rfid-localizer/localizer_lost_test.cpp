@@ -86,7 +86,7 @@ TEST(Localizer, OverTheFieldsEdgeIsLostWithAReasonAndBackAtItsReturn) {
   settings.start = {0.2, 0.2, kUp};  // the course is 1.1 m long
   Drive drive(settings);
   drive.stand(1.0);
-  drive.go(10.0, 0.4);
+  drive.go(14.0, 0.4);
   EXPECT_EQ(drive.now().estimate.placement, Placement::kLost);
   EXPECT_NE(drive.now().estimate.reason.find(" m only"), std::string::npos) << drive.now().estimate.reason;
   EXPECT_LT(drive.now().error(), 4.0 * drive.now().sigma()) << "the covariance holds all the same";
@@ -111,9 +111,9 @@ TEST(Localizer, WhereTagsMustAnswerButNoneDoesIsLost) {
 
 TEST(Localizer, HearingNothingAnyMoreIsLostAnywhereInTheHall) {
   for (const double speed : {0.0, 0.1, 0.4}) {
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (int seed = 1; seed <= 12; ++seed) {
       DriveSettings settings = in_the_hall(seed);
-      settings.start = {0.7 + 0.173 * static_cast<double>(seed), 2.9 - 0.191 * static_cast<double>(seed), 0.3};
+      settings.start = {0.7 + 0.173 * seed, 2.9 - 0.191 * seed, 0.3};
       Drive drive(settings);
       drive.go(3.0, 0.1);
       if (!drive.now().localised()) continue;

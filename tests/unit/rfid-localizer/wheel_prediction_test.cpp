@@ -81,10 +81,11 @@ TEST(WheelPrediction, HasTheCovarianceOfAMonteCarlo) {
     for (int i = 0; i < 5; ++i) x[i] += start_sigma[i] * normal(bits);
     for (int i = 0; i < kPieces; ++i) {
       const double way = piece.way * (1.0 + x[kScale]) + way_sigma * normal(bits);
-      const double middle = x[kHeading] + 0.5 * piece.turn;
+      const double turn = piece.turn * (1.0 + x[kScale]);
+      const double middle = x[kHeading] + 0.5 * turn;
       x[kX] += way * std::cos(middle) + creep_sigma * normal(bits);
       x[kY] += way * std::sin(middle) + creep_sigma * normal(bits);
-      x[kHeading] += piece.turn + heading_sigma * normal(bits);
+      x[kHeading] += turn + heading_sigma * normal(bits);
       x[kScale] += noise.scale_walk * std::sqrt(piece.way) * normal(bits);
       x[kDelay] += noise.delay_walk * std::sqrt(piece.time) * normal(bits);
     }
