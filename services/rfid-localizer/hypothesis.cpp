@@ -21,6 +21,19 @@ bool close(const Hypothesis& a, const Hypothesis& b, double distance, int angle)
   return true;
 }
 
+void merge_close(Mixture& mixture, double distance, int angle) {
+  for (std::size_t i = 0; i < mixture.size(); ++i) {
+    for (std::size_t j = i + 1; j < mixture.size();) {
+      if (close(mixture[i], mixture[j], distance, angle)) {
+        mixture[i] = moments({mixture[i], mixture[j]}, angle);
+        mixture.erase(mixture.begin() + static_cast<std::ptrdiff_t>(j));
+      } else {
+        ++j;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 double unwrapped(double angle, double near) {
@@ -66,20 +79,13 @@ void tidy(Mixture& mixture, double least, double distance, std::size_t most, int
             [](const Hypothesis& a, const Hypothesis& b) { return a.weight > b.weight; });
   while (mixture.size() > 1 && mixture.back().weight < least) mixture.pop_back();
 
-  for (std::size_t i = 0; i < mixture.size(); ++i) {
-    for (std::size_t j = i + 1; j < mixture.size();) {
-      if (close(mixture[i], mixture[j], distance, angle)) {
-        mixture[i] = moments({mixture[i], mixture[j]}, angle);
-        mixture.erase(mixture.begin() + static_cast<std::ptrdiff_t>(j));
-      } else {
-        ++j;
-      }
-    }
-  }
-  if (mixture.size() > most) {
-    std::sort(mixture.begin(), mixture.end(),
-              [](const Hypothesis& a, const Hypothesis& b) { return a.weight > b.weight; });
-    mixture.resize(most);
+  merge_close(mixture, distance, angle);
+  // What is too many is held more coarsely: to drop the lightest would claim to know more.
+  constexpr double kCoarser = 1.5;
+  constexpr int kCoarsest = 40;  // steps; what is still apart then has no width at all
+  for (int step = 0; step < kCoarsest && mixture.size() > most; ++step) {
+    distance *= kCoarser;
+    merge_close(mixture, distance, angle);
   }
   sum = 0.0;
   for (const Hypothesis& one : mixture) sum += one.weight;

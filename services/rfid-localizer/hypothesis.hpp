@@ -37,8 +37,8 @@ Hypothesis moments(const Mixture& mixture, int angle);
 double unwrapped(double angle, double near);
 
 // Brings the weights to a sum of 1, drops hypotheses lighter than `least`, and merges those closer than `distance`
-// standard deviations of their own in every place; of more than `most` (above 0) then the heaviest stay. At least one
-// stays.
+// standard deviations of their own in every place; while there are more than `most` (above 0), those a little
+// farther apart too. At least one stays.
 void tidy(Mixture& mixture, double least, double distance, std::size_t most, int angle);
 
 }  // namespace markservo::rfid_localizer

@@ -182,6 +182,7 @@ std::vector<WindowPoint> window_points(const Eigen::Vector2d& way) {
 RoundMatch match_round(const Eigen::Vector2d& prior_mean, const Eigen::Matrix2d& prior_covariance,
                        const std::vector<TagOutcome>& outcomes, const std::vector<WindowPoint>& window,
                        const ReadModel& model, const RoundMatchParameters& parameters) {
+  if (outcomes.empty()) return {{{1.0, prior_mean, prior_covariance}}, 1.0, {}, {}};
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(prior_covariance);
   const Eigen::Vector2d sigmas = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
   const Ellipse ellipse{prior_mean, solver.eigenvectors() * sigmas.asDiagonal()};

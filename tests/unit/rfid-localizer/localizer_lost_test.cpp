@@ -86,7 +86,7 @@ TEST(Localizer, OverTheFieldsEdgeIsLostWithAReasonAndBackAtItsReturn) {
   settings.start = {0.2, 0.2, kUp};  // the course is 1.1 m long
   Drive drive(settings);
   drive.stand(1.0);
-  drive.go(14.0, 0.4);
+  drive.go(10.0, 0.4);
   EXPECT_EQ(drive.now().estimate.placement, Placement::kLost);
   EXPECT_NE(drive.now().estimate.reason.find(" m only"), std::string::npos) << drive.now().estimate.reason;
   EXPECT_LT(drive.now().error(), 4.0 * drive.now().sigma()) << "the covariance holds all the same";
