@@ -29,12 +29,12 @@ constexpr milliseconds kSlipLimit{100};  // how far simulated time may fall behi
 std::vector<std::string> answering_channels() {
   std::vector<std::string> channels = {"JOINT_COMMAND", "TASK_STATE",     "SERVO_STATUS",
                                        "TARGET_POSE",   "MARK_DETECTION", "SIM_CONTROL"};
-  for (const std::string& channel : BasePorts::answering_channels()) channels.push_back(channel);
+  for (const std::string& channel : BaseNode::answering_channels()) channels.push_back(channel);
   return channels;
 }
 
 bool answers_odometry(const std::string& channel) {
-  const auto& channels = BasePorts::answering_channels();
+  const auto& channels = BaseNode::answering_channels();
   return std::find(channels.begin(), channels.end(), channel) != channels.end();
 }
 
@@ -143,7 +143,7 @@ void SimulatorNode::subscribe(bus::Bus& bus) {
       (answers_odometry(channel) ? odometry_answers : frame_answers).push_back(channel);
     }
   }
-  if (simulation_->has_base()) base_ = std::make_unique<BasePorts>(bus, *simulation_, odometry_answers);
+  if (simulation_->has_base()) base_ = std::make_unique<BaseNode>(bus, *simulation_, odometry_answers);
   barrier_ = LockstepBarrier(frame_answers);
   for (const std::string& channel : frame_answers) await_channel(bus, channel);
 }
@@ -249,18 +249,18 @@ void SimulatorNode::run_lockstep(bus::Bus& bus) {
   }
 }
 
-bool SimulatorNode::wait_for_answers(bus::Bus& bus, LockstepWait& wait, const LockstepBarrier& barrier,
+bool SimulatorNode::wait_for_answers(bus::Bus& bus, LockstepNode& wait, const LockstepBarrier& barrier,
                                      const char* what) {
   resets_before_wait_ = resets_;
-  const LockstepWait::Outcome outcome = wait.run(bus, barrier, lockstep_timeout_s_);
-  if (outcome == LockstepWait::Outcome::kTimedOut) {
+  const LockstepNode::Outcome outcome = wait.run(bus, barrier, lockstep_timeout_s_);
+  if (outcome == LockstepNode::Outcome::kTimedOut) {
     if (valid_) {
       spdlog::error("{}, {} us after the epoch: no answer on {} within {} s: this run is invalid until the next RESET",
                     what, simulation_->utime() - kEpoch_us, barrier.missing(), lockstep_timeout_s_);
     }
     valid_ = false;
   }
-  return outcome != LockstepWait::Outcome::kEnded;
+  return outcome != LockstepNode::Outcome::kEnded;
 }
 
 void SimulatorNode::run_real_time(bus::Bus& bus) {

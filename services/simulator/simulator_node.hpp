@@ -17,9 +17,9 @@
 #include "common/bus/command_inbox.hpp"
 #include "common/bus/repeat_timer.hpp"
 #include "common/bus/service.hpp"
-#include "services/simulator/base_ports.hpp"
+#include "services/simulator/base_node.hpp"
 #include "services/simulator/lockstep_barrier.hpp"
-#include "services/simulator/lockstep_wait.hpp"
+#include "services/simulator/lockstep_node.hpp"
 #include "services/simulator/simulation.hpp"
 #include "services/simulator/stereo_renderer.hpp"
 
@@ -50,7 +50,7 @@ class SimulatorNode : public bus::Service {
   void run_lockstep(bus::Bus& bus);
   void run_real_time(bus::Bus& bus);
   // Until all awaited channels answered, the wait timed out, or the world was reset. False when the service shall end.
-  bool wait_for_answers(bus::Bus& bus, LockstepWait& wait, const LockstepBarrier& barrier, const char* what);
+  bool wait_for_answers(bus::Bus& bus, LockstepNode& wait, const LockstepBarrier& barrier, const char* what);
 
   void step();
   void expose_frame();
@@ -83,8 +83,8 @@ class SimulatorNode : public bus::Service {
   std::optional<bus::Publisher<JointState>> joint_states_;
   std::optional<bus::Publisher<StopState>> stop_states_;
   std::optional<bus::Publisher<SimTruth>> truths_;
-  std::unique_ptr<BasePorts> base_;  // null: the robot has none
-  LockstepBarrier barrier_{{}};      // of frames
+  std::unique_ptr<BaseNode> base_;  // null: the robot has none
+  LockstepBarrier barrier_{{}};     // of frames
   bus::CommandInbox stops_;
   bus::CommandInbox controls_;
   bus::RepeatTimer stop_state_timer_{bus::kStateRepeat_us};
@@ -97,8 +97,8 @@ class SimulatorNode : public bus::Service {
   bool world_is_new_ = false;  // after a reset: a frame is due at once
   std::int64_t resets_ = 0;
   std::int64_t resets_before_wait_ = 0;
-  LockstepWait frame_wait_{[this] { expose_frame(); }, [this] { return resets_ != resets_before_wait_; }};
-  LockstepWait odometry_wait_{[this] { repeat_odometry(); }, [this] { return resets_ != resets_before_wait_; }};
+  LockstepNode frame_wait_{[this] { expose_frame(); }, [this] { return resets_ != resets_before_wait_; }};
+  LockstepNode odometry_wait_{[this] { repeat_odometry(); }, [this] { return resets_ != resets_before_wait_; }};
 };
 
 }  // namespace markservo::simulator

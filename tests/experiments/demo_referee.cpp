@@ -1,7 +1,7 @@
 // Runs one task on a simulated robot whose services are up, tells what happens line by line, and judges it by the
 // simulator's truth. Used by scripts/demo. Exit code 0 only if the task says lifted and the truth agrees.
 //   in:  TASK_STATE, SERVO_STATUS, SIM_TRUTH, STEREO_FRAME, MARK_DETECTION, STEREO_MATCHES, TARGET_POSE, JOINT_STATE,
-//        JOINT_COMMAND, SIM_BASE_TRUTH, ROBOT_POSE
+//        JOINT_COMMAND, SIM_BASE_TRUTH, ROBOT_POSE, BASE_COMMAND, BASE_GOAL
 //   out: SIM_CONTROL, STOP, TASK_COMMAND; DIR/report.json, DIR/{look,grip,lift}.png, with --drive DIR/drive.png
 
 #include <CLI/CLI.hpp>
@@ -18,6 +18,7 @@
 #include "tests/experiments/experiment.hpp"
 #include "tests/experiments/lift_truth.hpp"
 #include "tests/experiments/rig.hpp"
+#include "tests/experiments/stale_drive.hpp"
 #include "tests/experiments/statistics.hpp"
 #include "tests/experiments/task_words.hpp"
 
@@ -99,7 +100,8 @@ class Demo {
         latency_(rig_.bus()),
         eyes_(rig_.bus(), [this](int64_t seq) { latency_.frame(seq); }),
         stale_motion_(rig_.bus()),
-        drive_(rig_.bus()) {}
+        drive_(rig_.bus()),
+        stale_drive_(rig_.bus()) {}
 
   Course run() {
     rig_.wait_for_world();
@@ -152,6 +154,7 @@ class Demo {
   const std::vector<double>& latency_ms() const { return latency_.milliseconds(); }
   const StaleMotionWatch& stale_motion() const { return stale_motion_; }
   const DriveWatch& drive() const { return drive_; }
+  const StaleDriveWatch& stale_drive() const { return stale_drive_; }
   const SimTruth& truth() const { return rig_.truth(); }
 
  private:
@@ -206,6 +209,7 @@ class Demo {
   Eyes eyes_;
   StaleMotionWatch stale_motion_;
   DriveWatch drive_;
+  StaleDriveWatch stale_drive_;
   CourseClock clock_;
 };
 
@@ -285,6 +289,7 @@ bool run_demo(const ExperimentOptions& options, const DemoOptions& demo) {
   if (const auto goal = drive_pose(demo)) {
     const DriveResult drive = run.drive().result(*goal);
     report["drive"] = experiments::report_of(drive, *goal);
+    report["drive"]["silences"] = experiments::report_of(run.stale_drive());
     std::printf("%s", words_of(drive).c_str());
     write_drive_picture((out / "drive.png").string(), robot, run.drive(), *goal, run.truth());
     truly_done = truly_done && truly_driven(drive);

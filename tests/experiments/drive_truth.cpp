@@ -105,7 +105,7 @@ nlohmann::json report_of(const DriveResult& drive, const Pose2& goal) {
                  {"seconds", drive.seconds},
                  {"way_m", drive.way},
                  {"moved_outside_drives_m", drive.strayed},
-                 {"moved_at_end_m", drive.moved_at_end},
+                 {"moved_at_end_m", drive.moved_at_end ? number(*drive.moved_at_end) : nlohmann::json()},
                  {"touched", drive.touched},
                  {"nearest_m", number(drive.nearest)},
                  {"error_m", drive.error.position},

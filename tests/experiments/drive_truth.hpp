@@ -26,17 +26,17 @@ struct PoseError {
 PoseError pose_error(const Pose2& a, const Pose2& b);
 
 struct DriveResult {
-  bool known = false;         // SIM_BASE_TRUTH was heard
-  int drives = 0;             // the first, and corrections
-  double seconds = 0.0;       // of the world's time, in them
-  double way = 0.0;           // m, while driving
-  double strayed = 0.0;       // m, way outside of drives, while the task ran
-  double moved_at_end = 0.0;  // m, when all should be at rest
-  bool touched = false;       // the base ran into something
-  double nearest = 0.0;       // m, least distance of the robot's outline to anything
-  PoseError error;            // true pose minus the goal's, after the first drive: a correction has another goal
-  PoseError told_error;       // ROBOT_POSE minus the true pose, then
-  double told_mean = 0.0;     // m, mean and maximum of that over all drives
+  bool known = false;                  // SIM_BASE_TRUTH was heard
+  int drives = 0;                      // the first, and corrections
+  double seconds = 0.0;                // of the world's time, in them
+  double way = 0.0;                    // m, while driving
+  double strayed = 0.0;                // m, way outside of drives, while the task ran
+  std::optional<double> moved_at_end;  // m, when all should be at rest; absent: never watched
+  bool touched = false;                // the base ran into something
+  double nearest = 0.0;                // m, least distance of the robot's outline to anything
+  PoseError error;         // true pose minus the goal's, after the first drive: a correction has another goal
+  PoseError told_error;    // ROBOT_POSE minus the true pose, then
+  double told_mean = 0.0;  // m, mean and maximum of that over all drives
   double told_max = 0.0;
 };
 

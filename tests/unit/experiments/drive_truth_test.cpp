@@ -111,10 +111,12 @@ TEST_F(Drive, a_base_that_moves_while_the_arm_works_is_told) {
 
 TEST_F(Drive, a_base_that_does_not_rest_in_the_end_is_told) {
   drive(0.05, 1.05);
+  EXPECT_FALSE(watch_.result(goal_).moved_at_end) << "nobody watched";
+  EXPECT_TRUE(report_of(watch_.result(goal_), goal_)["moved_at_end_m"].is_null());
   watch_.expect_rest();
   EXPECT_EQ(watch_.result(goal_).moved_at_end, 0.0);
   odometry(1.053);
-  EXPECT_NEAR(watch_.result(goal_).moved_at_end, 0.003, 1e-9);
+  EXPECT_NEAR(watch_.result(goal_).moved_at_end.value(), 0.003, 1e-9);
 }
 
 TEST_F(Drive, a_base_that_never_drove_is_none) {

@@ -19,16 +19,16 @@
 
 namespace markservo::simulator {
 
-class BasePorts {
+class BaseNode {
  public:
   // The channels that answer an odometry: lockstep may await them.
   static const std::vector<std::string>& answering_channels();
 
   // `simulation` has a base and outlives this. In lockstep `awaited`, some of the answering channels, must answer each
   // odometry.
-  BasePorts(bus::Bus& bus, Simulation& simulation, const std::vector<std::string>& awaited);
-  BasePorts(const BasePorts&) = delete;
-  BasePorts& operator=(const BasePorts&) = delete;
+  BaseNode(bus::Bus& bus, Simulation& simulation, const std::vector<std::string>& awaited);
+  BaseNode(const BaseNode&) = delete;
+  BaseNode& operator=(const BaseNode&) = delete;
 
   // Sends what has become due. True if that was an odometry.
   bool publish_due();

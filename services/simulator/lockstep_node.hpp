@@ -10,7 +10,7 @@ namespace markservo::simulator {
 
 // Waits on the bus until a barrier is complete: as long as nobody ever answered, by sending again, since services may
 // start in any order; later only until a time-out. This host's steady clock counts.
-class LockstepWait {
+class LockstepNode {
  public:
   enum class Outcome {
     kAnswered,
@@ -20,7 +20,7 @@ class LockstepWait {
   };
 
   // `repeat` sends again what is to be answered; `interrupted` tells whether that no longer matters.
-  LockstepWait(std::function<void()> repeat, std::function<bool()> interrupted)
+  LockstepNode(std::function<void()> repeat, std::function<bool()> interrupted)
       : repeat_(std::move(repeat)), interrupted_(std::move(interrupted)) {}
 
   // `timeout_s` above 0.

@@ -1,4 +1,4 @@
-#include "services/simulator/base_ports.hpp"
+#include "services/simulator/base_node.hpp"
 
 #include <algorithm>
 #include <markservo/BaseStatus.hpp>
@@ -9,12 +9,12 @@
 
 namespace markservo::simulator {
 
-const std::vector<std::string>& BasePorts::answering_channels() {
+const std::vector<std::string>& BaseNode::answering_channels() {
   static const std::vector<std::string> channels = {"BASE_COMMAND", "BASE_STATUS", "ROBOT_POSE"};
   return channels;
 }
 
-BasePorts::BasePorts(bus::Bus& bus, Simulation& simulation, const std::vector<std::string>& awaited)
+BaseNode::BaseNode(bus::Bus& bus, Simulation& simulation, const std::vector<std::string>& awaited)
     : simulation_(&simulation),
       barrier_(awaited),
       rounds_(bus.advertise<RfidTagHits>("RFID_TAG_HITS")),
@@ -34,7 +34,7 @@ BasePorts::BasePorts(bus::Bus& bus, Simulation& simulation, const std::vector<st
   if (awaits("ROBOT_POSE")) bus.on_each<RobotPose>("ROBOT_POSE", note_on("ROBOT_POSE"));
 }
 
-void BasePorts::on_command(const BaseCommand& message) {
+void BaseNode::on_command(const BaseCommand& message) {
   const CommandVerdict verdict = simulation_->command_base(
       {message.odometry_session, message.odometry_seq, message.utime}, message.speed, message.turn_rate);
   barrier_.note("BASE_COMMAND", message.odometry_session, message.odometry_seq);
@@ -49,7 +49,7 @@ void BasePorts::on_command(const BaseCommand& message) {
   }
 }
 
-bool BasePorts::publish_due() {
+bool BaseNode::publish_due() {
   const MobileBaseOutputs due = simulation_->take_due();
   for (const TagRound& round : due.rounds) {
     RfidTagHits message = rfid_message(round);
@@ -66,14 +66,14 @@ bool BasePorts::publish_due() {
   return true;
 }
 
-void BasePorts::repeat() {
+void BaseNode::repeat() {
   if (!odometry_) return;
   if (scan_) scans_.publish(*scan_);
   publish_odometry();
   barrier_.expect_also(odometry_seq_);
 }
 
-void BasePorts::publish_odometry() {
+void BaseNode::publish_odometry() {
   ++odometry_seq_;
   const MobileBaseTruth truth = simulation_->base_truth();
   SimBaseTruth truth_message = base_truth_message(truth.base, odometry_->utime, odometry_seq_);

@@ -1,4 +1,4 @@
-#include "services/simulator/lockstep_wait.hpp"
+#include "services/simulator/lockstep_node.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -17,7 +17,7 @@ constexpr milliseconds kPatience{1000};  // before the state says what is waited
 
 }  // namespace
 
-LockstepWait::Outcome LockstepWait::run(bus::Bus& bus, const LockstepBarrier& barrier, double timeout_s) {
+LockstepNode::Outcome LockstepNode::run(bus::Bus& bus, const LockstepBarrier& barrier, double timeout_s) {
   if (barrier.complete()) return Outcome::kAnswered;
   const auto begin = steady_clock::now();
   auto sent = begin;
