@@ -71,7 +71,10 @@ Navigator::Navigator(const robot::RobotDescription& robot, const NavigatorParame
 
 std::string Navigator::observe(const OdometrySample& sample, NavigatorState& state) const {
   if (state.first_utime == 0 || sample.utime < state.first_utime) state.first_utime = sample.utime;
+  const std::int64_t before = state.track.newest_utime();
   state.odometry_problem = state.track.add(parameters_.odometry, sample);
+  const bool clock_went_back = state.track.newest_utime() < before;
+  if (clock_went_back) state.goals.end_unless_near(state.track.newest_utime(), parameters_.trust.goal_age);
   return state.odometry_problem;
 }
 
@@ -107,7 +110,9 @@ std::string Navigator::why_scan_is_refused(const SonarScanSample& scan) const {
 }
 
 std::string Navigator::observe(const Goal& goal, NavigatorState& state) const {
-  if (state.goals.hear(goal, state.stop_latched.value_or(false)) != GoalMemory::Heard::kNew) return "";
+  const auto heard = state.goals.hear(goal, state.track.newest_utime(), parameters_.trust.goal_age,
+                                      state.stop_latched.value_or(false));
+  if (heard != GoalMemory::Heard::kNew) return "";
   state.refusal = why_goal_is_refused(goal, state);
   state.manoeuvre = ManoeuvreState();
   state.explore.failed = false;

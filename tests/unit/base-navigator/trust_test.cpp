@@ -69,6 +69,25 @@ TEST_F(UnderWay, StandsWhileOdometryGoesBackInTime) {
   expect_driving_again();
 }
 
+TEST_F(UnderWay, FollowsANewWritersGoalAfterTheClockWentBack) {
+  rig_.world.utime -= 600'000'000;
+  Goal goal = Rig::goal_at({8.0, 0.0, 0.0});
+  goal.session = 6;
+  rig_.tell(goal);
+  expect_driving_again();
+  EXPECT_EQ(rig_.last.status.goal_session, 6);
+}
+
+TEST_F(UnderWay, AClockThatWentBackEndsTheGoalFromBefore) {
+  rig_.sender_lives = false;
+  rig_.world.utime -= 600'000'000;
+  rig_.run(1.0);
+  EXPECT_EQ(rig_.last.status.state, DriveState::kHold);
+  EXPECT_EQ(rig_.last.status.reason, "no goal");
+  EXPECT_EQ(rig_.last.status.goal_id, 0);
+  EXPECT_EQ(rig_.world.speed, 0.0);
+}
+
 TEST_F(UnderWay, StandsUntilAFreshScanAfterAJumpOfACounter) {
   while (!rig_.world.scan_due()) rig_.step();
   rig_.step();
