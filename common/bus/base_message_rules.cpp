@@ -17,6 +17,7 @@ constexpr int64_t kMaxRound_us = 60'000'000;
 constexpr int32_t kMaxHits = 10'000;
 constexpr int32_t kMaxEchoes = 64;
 constexpr std::size_t kMaxUidLength = 64;
+constexpr double kMaxSonarRange = 100.0;  // m; ultrasound in air is gone long before
 
 std::string beyond(const char* field, double value, double most) {
   if (std::isfinite(value) && std::abs(value) <= most) return {};
@@ -69,10 +70,12 @@ std::string violation(const WheelOdometry& odometry) {
 
 std::string violation(const SonarScan& scan) {
   if (!all_finite({scan.min_range, scan.max_range, scan.beam_width})) return not_finite("a range or the beam's width");
-  if (scan.min_range < 0.0 || scan.min_range >= scan.max_range || scan.max_range > kMaxPosition) {
-    return wrong("max_range", scan.max_range, "above min_range, up to 10000 m");
+  if (scan.min_range < 0.0 || scan.min_range >= scan.max_range || scan.max_range > kMaxSonarRange) {
+    return wrong("max_range", scan.max_range, "above min_range, which is 0 or more, up to 100 m");
   }
-  if (scan.beam_width < 0.0 || scan.beam_width > 7.0) return wrong("beam_width", scan.beam_width, "0 to 7 rad");
+  if (scan.beam_width < 0.0 || scan.beam_width > 2.0 * M_PI) {
+    return wrong("beam_width", scan.beam_width, "0 to 2 pi rad");
+  }
   if (scan.num_echoes > kMaxEchoes) return wrong("num_echoes", scan.num_echoes, "at most 64");
   for (const auto& echo : scan.echoes) {
     if (auto why = pose_violation("a sonar's pose", echo.pose); !why.empty()) return why;

@@ -12,6 +12,8 @@ constexpr double kNominalStep_s = 0.02;
 constexpr double kShortestStep_s = 0.005;
 constexpr double kLongestStep_s = 0.1;  // a longer gap must not become a bigger step
 constexpr double kExploreRoom_m = 0.1;
+constexpr double kMounting_m = 0.05;  // a sonar may be mounted so much farther out than robot.yaml's ring
+constexpr double kUnlike = 2.0;       // times robot.yaml's value, or that part of it: another kind of sonar
 
 const robot::BaseDescription& base_of(const robot::RobotDescription& robot) {
   if (!robot.base) throw std::invalid_argument("base-navigator: robot.yaml has no base");
@@ -44,6 +46,15 @@ std::string age_text(const char* what, double seconds, double allowed) {
   return text;
 }
 
+// Empty unless a scan's value differs so much from robot.yaml's that its echoes mean something else.
+std::string why_unlike(const char* what, double value, double configured, const char* unit) {
+  if (value >= configured / kUnlike && value <= configured * kUnlike) return "";
+  char text[160];
+  std::snprintf(text, sizeof text, "%s is %.3f %s; allowed: %.3f to %.3f (robot.yaml: %.3f)", what, value, unit,
+                configured / kUnlike, configured * kUnlike, configured);
+  return text;
+}
+
 // Empty unless `utime` is too far from now.
 std::string why_old(const char* what, std::int64_t utime, std::int64_t now, double allowed) {
   const double age = seconds_between(utime, now);
@@ -55,13 +66,15 @@ std::string why_old(const char* what, std::int64_t utime, std::int64_t now, doub
 Navigator::Navigator(const robot::RobotDescription& robot, const NavigatorParameters& parameters)
     : parameters_(within_limits(parameters, base_of(robot))),
       outline_(outline_of(base_of(robot))),
-      num_sonars_(robot.sonars->number),
-      sonar_max_range_(robot.sonars->max_range),
+      sonars_(*robot.sonars),
       manoeuvre_(outline_, parameters_.manoeuvre) {}
 
 std::string Navigator::observe(const OdometrySample& sample, NavigatorState& state) const {
   if (state.first_utime == 0 || sample.utime < state.first_utime) state.first_utime = sample.utime;
+  const std::int64_t before = state.track.newest_utime();
   state.odometry_problem = state.track.add(parameters_.odometry, sample);
+  const bool clock_went_back = state.track.newest_utime() < before;
+  if (clock_went_back) state.goals.end_unless_near(state.track.newest_utime(), parameters_.trust.goal_age);
   return state.odometry_problem;
 }
 
@@ -71,19 +84,35 @@ std::string Navigator::observe(const PoseSample& sample, NavigatorState& state) 
 }
 
 std::string Navigator::observe(const SonarScanSample& scan, NavigatorState& state) const {
-  if (static_cast<int>(scan.readings.size()) != num_sonars_) {
-    return "a scan of " + std::to_string(scan.readings.size()) + " sonars; allowed: " + std::to_string(num_sonars_) +
+  std::string problem = why_scan_is_refused(scan);
+  if (problem.empty()) state.sonars.add(parameters_.sonars, scan, state.track);
+  return problem;
+}
+
+std::string Navigator::why_scan_is_refused(const SonarScanSample& scan) const {
+  if (static_cast<int>(scan.readings.size()) != sonars_.number) {
+    return "a scan of " + std::to_string(scan.readings.size()) + " sonars; allowed: " + std::to_string(sonars_.number) +
            " as in robot.yaml";
   }
-  for (const SonarReading& reading : scan.readings) {
-    if (reading.X_RS.distance() > sonar_max_range_) return "a sonar stands outside the robot";
+  if (auto why = why_unlike("min_range", scan.min_range, sonars_.min_range, "m"); !why.empty()) return why;
+  if (auto why = why_unlike("max_range", scan.max_range, sonars_.max_range, "m"); !why.empty()) return why;
+  if (auto why = why_unlike("beam_width", scan.beam_width, sonars_.beam_width, "rad"); !why.empty()) return why;
+  for (std::size_t i = 0; i < scan.readings.size(); ++i) {
+    const double off = scan.readings[i].X_RS.distance();
+    if (off <= sonars_.ring_radius + kMounting_m) continue;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "sonar %zu is %.2f m from the robot's origin; allowed: %.2f m (ring_radius + %.2f)", i, off,
+                  sonars_.ring_radius + kMounting_m, kMounting_m);
+    return text;
   }
-  state.sonars.add(parameters_.sonars, scan, state.track);
   return "";
 }
 
 std::string Navigator::observe(const Goal& goal, NavigatorState& state) const {
-  if (state.goals.hear(goal, state.stop_latched.value_or(false)) != GoalMemory::Heard::kNew) return "";
+  const auto heard = state.goals.hear(goal, state.track.newest_utime(), parameters_.trust.goal_age,
+                                      state.stop_latched.value_or(false));
+  if (heard != GoalMemory::Heard::kNew) return "";
   state.refusal = why_goal_is_refused(goal, state);
   state.manoeuvre = ManoeuvreState();
   state.explore.failed = false;

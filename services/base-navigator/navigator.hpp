@@ -94,6 +94,7 @@ class Navigator {
   };
 
   Decision decide(NavigatorState& state, Status& status) const;
+  std::string why_scan_is_refused(const SonarScanSample& scan) const;
   std::string why_goal_is_refused(const Goal& goal, const NavigatorState& state) const;
   std::string why_stale(const NavigatorState& state) const;
   std::string why_lost(const NavigatorState& state) const;
@@ -103,8 +104,7 @@ class Navigator {
 
   NavigatorParameters parameters_;
   Outline outline_;
-  int num_sonars_ = 0;
-  double sonar_max_range_ = 0.0;
+  robot::SonarRingDescription sonars_;
   Manoeuvre manoeuvre_;
 };
 

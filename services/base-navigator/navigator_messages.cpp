@@ -74,6 +74,7 @@ SonarScanSample scan_sample(const SonarScan& message) {
   SonarScanSample sample;
   sample.utime = message.utime;
   sample.min_range = message.min_range;
+  sample.max_range = message.max_range;
   sample.beam_width = message.beam_width;
   for (const SonarEcho& echo : message.echoes) {
     sample.readings.push_back({plane_pose(echo.pose), echo.heard != 0, echo.range});

@@ -41,6 +41,7 @@ struct SonarReading {
 struct SonarScanSample {
   std::int64_t utime = 0;
   double min_range = 0.0;   // m
+  double max_range = 0.0;   // m
   double beam_width = 0.0;  // rad, full cone
   std::vector<SonarReading> readings;
 };

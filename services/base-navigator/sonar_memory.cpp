@@ -14,7 +14,9 @@ void add_arc(const SonarMemoryParameters& parameters, const SonarScanSample& sca
   const double range = std::max(reading.range, scan.min_range);
   const bool blind = range <= scan.min_range + kRangeResolution_m;
   const PlanePose X_OS = X_OR * reading.X_RS;
-  const int steps = std::max(2, static_cast<int>(std::ceil(range * scan.beam_width / parameters.arc_step)));
+  // Bounded before it becomes an integer: what a scan tells may be too large for one.
+  const double wanted = std::ceil(range * scan.beam_width / parameters.arc_step);
+  const int steps = static_cast<int>(std::clamp(wanted, 2.0, static_cast<double>(std::max(2, parameters.arc_steps))));
   for (int i = 0; i <= steps; ++i) {
     const double angle = scan.beam_width * (static_cast<double>(i) / steps - 0.5);
     const double ray = face && !blind ? range_to_face(parameters.faces, reading, *face, angle) : range;
@@ -34,7 +36,7 @@ bool SonarMemory::add(const SonarMemoryParameters& parameters, const SonarScanSa
   const auto faces = flat_faces(parameters.faces, scan);
   for (std::size_t i = 0; i < scan.readings.size(); ++i) {
     const SonarReading& reading = scan.readings[i];
-    if (!reading.heard || reading.range > parameters.sight) continue;
+    if (!reading.heard || std::max(reading.range, scan.min_range) > parameters.sight) continue;
     add_arc(parameters, scan, reading, faces[i], *X_OR, seen.points_O);
   }
   scans_.push_back(std::move(seen));

@@ -17,6 +17,7 @@ struct SonarMemoryParameters {
   double kept = 0.6;       // s; older ones are dropped however few there are
   double sight = 2.5;      // m; farther echoes limit nothing: braking from 1.2 m/s takes 1.5 m
   double arc_step = 0.05;  // m, between the points that stand for an echo's arc; far below the robot's width
+  int arc_steps = 64;      // at most, on each arc, however wide a beam is told to be: memory and time are bounded by it
 };
 
 // What the last few scans saw, as points around where the robot is now.

@@ -141,6 +141,24 @@ TEST(Drive, AGoalRelativeToTheRobotIsTakenFromWhereItWasHeard) {
   EXPECT_LT(rig.heading_error_to(X_WG), 8.0 * kDegree);
 }
 
+TEST(Drive, AGoalRelativeToTheRobotIsDrivenOnceThoughAnotherWriterAlternatesWithIt) {
+  Rig rig(3);
+  rig.run(2.0);
+  Goal relative = Rig::goal_at({0.3, 0.0, 0.0});
+  relative.frame = GoalFrame::kRobot;
+  relative.session = 6;
+  Goal hold = Rig::goal_at({});
+  hold.kind = GoalKind::kHold;
+  hold.session = 7;
+  for (int i = 0; i < 60; ++i) {
+    rig.tell(hold);
+    rig.run(0.1);
+    rig.tell(relative);
+    rig.run(0.4);
+  }
+  EXPECT_LT(rig.world.X_WR.distance(), 0.36);
+}
+
 TEST(Drive, AGoalRelativeToTheRobotFromBeforeTheStartIsNotDrivenOnceMore) {
   Rig rig;
   rig.step();

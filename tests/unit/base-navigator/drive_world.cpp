@@ -110,6 +110,7 @@ SonarScanSample DriveWorld::scan() {
   SonarScanSample scan;
   scan.utime = utime;
   scan.min_range = ring.min_range;
+  scan.max_range = ring.max_range;
   scan.beam_width = ring.beam_width;
   for (int i = 0; i < ring.number; ++i) {
     const double direction = ring.direction(i);

@@ -160,6 +160,26 @@ TEST_F(SonarsBeforeAWall, AnEchoAtTheLeastRangeIsMarkedBlind) {
   EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const auto& p) { return p.blind_range == 0.10; }));
 }
 
+TEST_F(SonarsBeforeAWall, ALeastRangeBeyondSightLeavesNoPoints) {
+  track_.add(kOdometry, wheels(0, 0.0, 0.0));
+  SonarScanSample scan = scan_at(0.0, 0);
+  scan.min_range = 9000.0;
+  SonarMemory memory;
+  memory.add(parameters_, scan, track_);
+  EXPECT_TRUE(memory.points(parameters_, track_).empty());
+}
+
+TEST_F(SonarsBeforeAWall, AnArcHasBoundedlyManyPointsHoweverWideItsBeam) {
+  track_.add(kOdometry, wheels(0, 0.0, 0.0));
+  SonarScanSample scan = scan_at(0.0, 0);
+  scan.beam_width = 1e12;
+  scan.readings.resize(1);
+  ASSERT_TRUE(scan.readings[0].heard);
+  SonarMemory memory;
+  memory.add(parameters_, scan, track_);
+  EXPECT_LE(memory.points(parameters_, track_).size(), 65U);
+}
+
 TEST_F(SonarsBeforeAWall, WhatWasSeenBeforeTheWheelsJumpedIsForgotten) {
   SonarMemory memory;
   track_.add(kOdometry, wheels(0, 0.0, 0.0));

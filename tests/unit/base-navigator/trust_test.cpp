@@ -69,6 +69,25 @@ TEST_F(UnderWay, StandsWhileOdometryGoesBackInTime) {
   expect_driving_again();
 }
 
+TEST_F(UnderWay, FollowsANewWritersGoalAfterTheClockWentBack) {
+  rig_.world.utime -= 600'000'000;
+  Goal goal = Rig::goal_at({8.0, 0.0, 0.0});
+  goal.session = 6;
+  rig_.tell(goal);
+  expect_driving_again();
+  EXPECT_EQ(rig_.last.status.goal_session, 6);
+}
+
+TEST_F(UnderWay, AClockThatWentBackEndsTheGoalFromBefore) {
+  rig_.sender_lives = false;
+  rig_.world.utime -= 600'000'000;
+  rig_.run(1.0);
+  EXPECT_EQ(rig_.last.status.state, DriveState::kHold);
+  EXPECT_EQ(rig_.last.status.reason, "no goal");
+  EXPECT_EQ(rig_.last.status.goal_id, 0);
+  EXPECT_EQ(rig_.world.speed, 0.0);
+}
+
 TEST_F(UnderWay, StandsUntilAFreshScanAfterAJumpOfACounter) {
   while (!rig_.world.scan_due()) rig_.step();
   rig_.step();
@@ -89,6 +108,29 @@ TEST_F(UnderWay, RefusesScansOfAnotherRing) {
   const std::string problem = rig_.navigator.observe(scan, rig_.state);
   EXPECT_NE(problem.find("15 sonars"), std::string::npos) << problem;
   EXPECT_NE(problem.find("allowed: 16"), std::string::npos) << problem;
+}
+
+TEST_F(UnderWay, RefusesScansOfOtherSonarsThanRobotYamls) {
+  const auto problem_of = [this](double min_range, double max_range, double beam_width) {
+    SonarScanSample scan = rig_.world.scan();
+    scan.min_range = min_range;
+    scan.max_range = max_range;
+    scan.beam_width = beam_width;
+    return rig_.navigator.observe(scan, rig_.state);
+  };
+  EXPECT_NE(problem_of(4.9, 5.0, 0.52).find("min_range is 4.900 m; allowed: 0.050 to 0.200"), std::string::npos);
+  EXPECT_NE(problem_of(0.1, 0.3, 0.52).find("max_range is 0.300 m; allowed: 2.500 to 10.000"), std::string::npos);
+  EXPECT_NE(problem_of(0.1, 5.0, 6.28).find("beam_width is 6.280 rad; allowed: 0.262 to 1.047"), std::string::npos);
+  EXPECT_NE(problem_of(0.1, 5.0, 0.01).find("beam_width"), std::string::npos);
+  EXPECT_EQ(problem_of(0.1, 5.0, 0.52), "");
+}
+
+TEST_F(UnderWay, NamesTheSonarThatStandsOutsideTheRing) {
+  SonarScanSample scan = rig_.world.scan();
+  scan.readings[3].X_RS = {1.5, 0.0, 0.0};
+  const std::string problem = rig_.navigator.observe(scan, rig_.state);
+  EXPECT_NE(problem.find("sonar 3 is 1.50 m"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("allowed: 0.27 m"), std::string::npos) << problem;
 }
 
 TEST_F(UnderWay, StopsWhenItIsLostAndGoesOnWhenItIsNot) {

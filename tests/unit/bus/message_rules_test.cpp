@@ -107,5 +107,31 @@ TEST(MarkDetectionRules, RefuseAPatchWhosePixelsAreNotAllThere) {
   EXPECT_NE(violation(detection).find("bgr_size"), std::string::npos);
 }
 
+SonarScan sonar_scan() {
+  SonarScan scan{};
+  scan.min_range = 0.1;
+  scan.max_range = 5.0;
+  scan.beam_width = 0.5;
+  return scan;
+}
+
+TEST(SonarScanRules, AcceptAnOrdinaryScan) {
+  EXPECT_EQ(violation(sonar_scan()), "");
+}
+
+TEST(SonarScanRules, RefuseRangesThatNoSonarHas) {
+  auto scan = sonar_scan();
+  scan.min_range = 9000.0;
+  scan.max_range = 10'000.0;
+  EXPECT_NE(violation(scan).find("10000.0"), std::string::npos) << violation(scan);
+  EXPECT_NE(violation(scan).find("up to 100 m"), std::string::npos) << violation(scan);
+}
+
+TEST(SonarScanRules, RefuseABeamWiderThanAWholeTurn) {
+  auto scan = sonar_scan();
+  scan.beam_width = 6.5;
+  EXPECT_NE(violation(scan).find("beam_width"), std::string::npos) << violation(scan);
+}
+
 }  // namespace
 }  // namespace markservo::bus
