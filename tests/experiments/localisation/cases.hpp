@@ -16,16 +16,23 @@ enum class CourseKind { kStraight, kStraightStanding, kDiagonal, kStatic, kHall,
 
 // What a case must reach; absent: reported only. Lengths in m, mean radial error of the live pose.
 struct CaseBars {
-  std::optional<double> settled_mean;     // after the first second
-  std::optional<double> all_mean;         // from the first read on
-  std::optional<double> free_mean;        // without encoders, after the first second
-  std::optional<double> bound_ratio;      // ours over the bound, with encoders
-  std::optional<double> hall_ratio;       // ours over ours on the undisturbed hall
-  std::optional<double> heading_mean;     // rad, absolute, while driving after the first second
-  std::optional<double> delay_error;      // s, mean absolute error of the delay at the end
-  std::optional<double> paper_gain_axis;  // share of the measured error that compensation must take away, each axis
-  bool nees = false;                      // 2 to 4.5
+  std::optional<double> settled_mean;         // after the first second
+  std::optional<double> all_mean;             // from the first read on
+  std::optional<double> free_mean;            // without encoders, after the first second
+  std::optional<double> bound_ratio;          // ours over the bound, with encoders
+  std::optional<double> hall_ratio;           // ours over ours on the undisturbed hall
+  std::optional<double> heading_mean;         // rad, absolute, while driving after the first second
+  std::optional<double> delay_error;          // s, mean absolute error of the delay at the end
+  std::optional<double> paper_gain_axis;      // share of the measured error that compensation must take away, each axis
+  std::optional<double> not_localised_share;  // of the samples after settling, that they are not LOCALISED
+  bool nees = false;                          // 2 to 4.5
   bool must_not_diverge = false;
+
+  // Nothing is asked of it: reported only.
+  bool none() const {
+    return !settled_mean && !all_mean && !free_mean && !bound_ratio && !hall_ratio && !heading_mean && !delay_error &&
+           !paper_gain_axis && !not_localised_share && !nees && !must_not_diverge;
+  }
 };
 
 struct LocalisationCase {

@@ -68,6 +68,10 @@ std::vector<Verdict> verdicts(const CaseResult& result, std::optional<double> ha
   if (bars.delay_error) {
     list.push_back(at_most("mean error of the delay", 1e3 * mean(result.delay_errors), 1e3 * *bars.delay_error, "ms"));
   }
+  if (bars.not_localised_share) {
+    list.push_back(
+        at_most("samples not localised", 100.0 * ours.not_localised_share(), 100.0 * *bars.not_localised_share, "%"));
+  }
   if (bars.nees) list.push_back({"NEES, 3 degrees of freedom", mean(ours.nees), kLeastNees, kMostNees, ""});
   if (bars.must_not_diverge) list.push_back(at_most("runs diverged", ours.diverged, 0.0, ""));
   if (bars.paper_gain_axis) add_paper(result, list);

@@ -120,7 +120,8 @@ void print_cases(const std::vector<CaseResult>& results) {
     } else {
       std::printf("%5.2f / %4.2f ", kDegrees * mean(ours.heading), kDegrees * mean(ours.bound_heading));
     }
-    std::printf("%5.2f %5.1f%% %4d\n", mean(ours.nees), 100.0 * ours.not_localised_share(), ours.diverged);
+    std::printf("%5.2f %5.1f%% %4d%s\n", mean(ours.nees), 100.0 * ours.not_localised_share(), ours.diverged,
+                result.the_case.bars.none() ? "  reported only" : "");
   }
   std::printf("unsure: samples not LOCALISED; div.: runs with %d samples in a row above %.0f cm, settled\n",
               LiveScoreParameters{}.diverged_samples, kCentimetres * LiveScoreParameters{}.diverged_error);
@@ -175,6 +176,7 @@ bool print_verdicts(const std::vector<CaseResult>& results, std::optional<double
   int asked = 0;
   std::printf("\n");
   for (const CaseResult& result : results) {
+    if (result.the_case.bars.none()) std::printf("-       %-21s reported only\n", result.the_case.name.c_str());
     for (const Verdict& verdict : verdicts(result, hall_mean)) {
       ++asked;
       met += verdict.met() ? 1 : 0;

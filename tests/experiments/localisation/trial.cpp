@@ -20,8 +20,10 @@ constexpr std::uint64_t kDelayStream = 0xC3;
 constexpr double kStartHeadingSigma = 2.0 * M_PI / 180.0;  // rad
 constexpr double kLeastDelay = 0.13;                       // s, of those that a case draws
 constexpr double kGreatestDelay = 0.25;                    // s
-constexpr double kSameTime = 1e-7;                         // s: times are whole microseconds
-constexpr double kFieldMargin = 1e-3;                      // m: one who starts on the field's edge is on the field
+// s^2, of the uniform distribution that they are drawn from: the bound knows that, whatever the localizer is told.
+constexpr double kDrawnDelayVariance = (kGreatestDelay - kLeastDelay) * (kGreatestDelay - kLeastDelay) / 12.0;
+constexpr double kSameTime = 1e-7;     // s: times are whole microseconds
+constexpr double kFieldMargin = 1e-3;  // m: one who starts on the field's edge is on the field
 
 // The samples of a run that are scored.
 struct Window {
@@ -129,7 +131,7 @@ class Trial {
     input.times = times;
     input.prior.position_variance = box_.size().cwiseAbs2() / 12.0;
     input.prior.heading_variance = told_.start_heading ? kStartHeadingSigma * kStartHeadingSigma : M_PI * M_PI / 3.0;
-    input.prior.delay_variance = std::pow(told_.delay_sigma.value_or(rfid.delay_sigma), 2);
+    input.prior.delay_variance = case_.delay_sigma ? kDrawnDelayVariance : rfid.delay_sigma * rfid.delay_sigma;
     return input;
   }
 

@@ -55,6 +55,27 @@ TEST(LocalisationBars, HoldTheCovarianceToTheErrorsBothWays) {
   EXPECT_FALSE(verdict(result, "NEES").met());
 }
 
+TEST(LocalisationBars, HoldTheShareOfSamplesThatAreNotLocalised) {
+  CaseBars bars;
+  bars.not_localised_share = 0.02;
+  CaseResult result = result_with(bars);
+  result.with_encoders.settled = std::vector<double>(100, 0.010);
+  result.with_encoders.not_localised = 2;
+  EXPECT_TRUE(verdict(result, "samples not localised").met());
+  result.with_encoders.not_localised = 3;
+  EXPECT_FALSE(verdict(result, "samples not localised").met());
+}
+
+TEST(LocalisationBars, BoundTheShareNotLocalisedInEveryCaseOfDenseTags) {
+  for (const LocalisationCase& each : localisation_cases()) {
+    const double spacing = each.robot.spacing.value_or(0.10);
+    if (spacing <= 0.10) {
+      EXPECT_EQ(each.bars.not_localised_share, 0.02) << each.name;
+    }
+    EXPECT_EQ(each.bars.none(), each.name == "hall_d34") << each.name;
+  }
+}
+
 TEST(LocalisationBars, MissWhatWasNotMeasured) {
   CaseBars bars;
   bars.heading_mean = 0.03;

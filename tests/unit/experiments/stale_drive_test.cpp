@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <markservo/BaseCommand.hpp>
 #include <markservo/BaseGoal.hpp>
 #include <markservo/RobotPose.hpp>
@@ -73,6 +74,23 @@ TEST_F(Silence, EndsWithANewerMessageOnly) {
   truth_.pose.y += 0.01;
   watch_.observe(truth_);
   EXPECT_NEAR(watch_.moved(), 0.01, 1e-9);
+}
+
+TEST_F(Silence, IsJudgedByTheSpeedAtItsOwnBegin) {
+  run(0.9);  // stood already when it had to brake
+  watch_.message(truth_.utime);
+  const auto go_on = [this](double seconds, double speed) {
+    for (int i = 0; i < std::lround(seconds / 0.02); ++i) {
+      truth_.utime += kPeriod_us;
+      truth_.speed = speed;
+      truth_.pose.y += 0.02 * speed;
+      watch_.observe(truth_);
+    }
+  };
+  go_on(0.9, 0.4);  // 1 s is allowed at this speed
+  EXPECT_EQ(watch_.moved(), 0.0);
+  go_on(0.5, 0.4);
+  EXPECT_GT(watch_.moved(), 0.1);
 }
 
 TEST_F(Silence, ThatBeganWhileTheBaseStoodProvesNothing) {
