@@ -213,7 +213,7 @@ std::string Navigator::why_goal_is_refused(const Goal& goal, const NavigatorStat
   }
   // The run before may have driven a part of it; driving it once more would end elsewhere.
   const double age = seconds_between(state.first_utime, state.track.newest_utime());
-  if (state.track.empty() || age < parameters_.trust.restart_guard) {
+  if (state.track.empty() || age < std::max(parameters_.trust.restart_guard, parameters_.trust.goal_age)) {
     return "a goal relative to the robot was given before the navigator had started; allowed: a new goal_id";
   }
   return "";
