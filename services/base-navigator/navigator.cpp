@@ -183,8 +183,9 @@ Navigator::Decision Navigator::decide(NavigatorState& state, Status& status) con
   situation.position_sigma = state.pose->position_sigma;
   situation.heading_sigma = state.pose->heading_sigma;
   situation.measured = {state.track.speed(), state.track.turn_rate()};
-  situation.points = state.sonars.points(parameters_.sonars, state.track);
-  const double clearance = goal->clearance > 0.0 ? goal->clearance : parameters_.manoeuvre.passage.clearance;
+  const PassageParameters& passage = parameters_.manoeuvre.passage;
+  const double clearance = goal->clearance > 0.0 ? goal->clearance : passage.clearance;
+  situation.points = state.sonars.points(parameters_.sonars, state.track, std::min(clearance, passage.turn_clearance));
   if (const auto advice = explore(situation, clearance, state)) return {*advice, false};
 
   if (!state.X_WG && !place_goal(state)) return interrupted(brake(), DriveState::kHold, state.refusal, false);
