@@ -178,13 +178,15 @@ Navigator::Decision Navigator::decide(NavigatorState& state, Status& status) con
 
   Situation situation;
   situation.utime = now;
-  situation.seconds = state.track.step();
+  situation.X_OR = state.track.newest();
+  situation.epoch = state.track.epoch();
   situation.X_WR = pose_now(state);
   situation.position_sigma = state.pose->position_sigma;
   situation.heading_sigma = state.pose->heading_sigma;
   situation.measured = {state.track.speed(), state.track.turn_rate()};
   const PassageParameters& passage = parameters_.manoeuvre.passage;
   const double clearance = goal->clearance > 0.0 ? goal->clearance : passage.clearance;
+  // A turn on the spot keeps no more than its own clearance, so faces may hide no more than that.
   situation.points = state.sonars.points(parameters_.sonars, state.track, std::min(clearance, passage.turn_clearance));
   if (const auto advice = explore(situation, clearance, state)) return {*advice, false};
 

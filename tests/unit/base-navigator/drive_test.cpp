@@ -106,6 +106,15 @@ TEST(Drive, BacksAwayFirstWhereItsCornersCannotPass) {
   EXPECT_GT(rig.nearest, 0.04);
 }
 
+TEST(Drive, AllTheWayThatItGoesToMakeRoomIsCounted) {
+  Rig rig(8);
+  rig.world.walls = {{{0.31, -1.0}, {0.31, 1.0}}};
+  rig.tell(Rig::goal_at({-2.0, 0.0, M_PI}));
+  for (int i = 0; i < Rig::steps_in(10.0) && std::abs(rig.world.turn_rate) < 0.5; ++i) rig.step();
+  ASSERT_GT(rig.world.X_WR.distance(), 0.02);
+  EXPECT_NEAR(rig.state.manoeuvre.room_made, rig.world.X_WR.distance(), 0.01);
+}
+
 TEST(Drive, ArrivesOnlyAfterItHasStoodForAWhile) {
   Rig rig(6);
   rig.world.position_sigma = 0.005;  // sharp from the beginning
