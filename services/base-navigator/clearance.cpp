@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kApproaching = 0.2;       // m nearer per m of way: less is driving past
 constexpr double kFirstApproach_m = 0.03;  // of way, on which that is judged
+constexpr double kSonarNoise_m = 0.01;     // nearer over the whole way: less is no approach
 
 struct Standpoint {
   Eigen::Vector2d p_RS;
@@ -22,17 +23,34 @@ struct Standpoint {
   }
 };
 
+// m of way up to where the outline comes closer to a point that is too near already. Beside what a straight way does at
+// once, a turning or curved one may sweep through the point only later.
+double way_closer(const Outline& outline, double before, const Eigen::Vector2d& p_R,
+                  const std::vector<Standpoint>& way) {
+  const auto judged = std::find_if(way.begin(), way.end(),
+                                   [](const Standpoint& standpoint) { return standpoint.length >= kFirstApproach_m; });
+  const Standpoint& at = judged != way.end() ? *judged : way.back();
+  const double after = distance_to_outline(outline, at.seen_from_here(p_R));
+  if (before - after > kApproaching * at.length) return 0.0;
+  // Half of what is left at most, lest it be used up bit by bit as the robot goes and looks again.
+  const double least = before - std::min(kSonarNoise_m, 0.5 * before);
+  double last = before;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double now = distance_to_outline(outline, way[i].seen_from_here(p_R));
+    if (now < least) {
+      const double part = (last - least) / (last - now);
+      return way[i - 1].length + part * (way[i].length - way[i - 1].length);
+    }
+    last = now;
+  }
+  return way.back().length;
+}
+
 // m of way up to where the point is nearer than `clearance`; the way's whole length if it never is.
 double way_to(const Outline& outline, double clearance, const Eigen::Vector2d& p_R,
               const std::vector<Standpoint>& way) {
   double before = distance_to_outline(outline, p_R);
-  if (before < clearance) {
-    const auto judged = std::find_if(
-        way.begin(), way.end(), [](const Standpoint& standpoint) { return standpoint.length >= kFirstApproach_m; });
-    const Standpoint& at = judged != way.end() ? *judged : way.back();
-    const double after = distance_to_outline(outline, at.seen_from_here(p_R));
-    return before - after > kApproaching * at.length ? 0.0 : way.back().length;
-  }
+  if (before < clearance) return way_closer(outline, before, p_R, way);
   for (std::size_t i = 1; i < way.size(); ++i) {
     const double now = distance_to_outline(outline, way[i].seen_from_here(p_R));
     if (now < clearance) {

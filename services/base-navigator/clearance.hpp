@@ -43,7 +43,7 @@ struct FreeWay {
 double distance_to_outline(const Outline& outline, const Eigen::Vector2d& p_R);
 
 // The part of `way` on which the outline stays `clearance` (m, 0 or more) away from every point. What is nearer than
-// that already forbids only ways that lead closer to it.
+// that already forbids only ways that lead closer to it, anywhere on them, by more than the sonars' noise.
 FreeWay free_way(const Outline& outline, double clearance, const std::vector<SeenPoint>& points,
                  const std::vector<WayPose>& way);
 

@@ -9,8 +9,9 @@ namespace markservo::base_navigator {
 
 struct FlatFaceParameters {
   double spread = 0.03;  // m, by which three neighbours' echoes may disagree: three sigma of a sonar
-  double gain = 0.05;    // m, by which an arc may at most be pushed out: what stands before a face by less stays
-};                       // unseen, so a goal's clearance is to be above that
+  double gain = 0.05;    // m, by which an arc may at most be pushed out: what stands before a face by less stays unseen
+  double noise = 0.01;   // m, standard deviation of a sonar: by at least so much the gain stays below the clearance
+};
 
 // A wall or a shelf's front as a line in R.
 struct FlatFace {

@@ -40,6 +40,7 @@ Advice Manoeuvre::step(const Situation& situation, const Assignment& goal, Manoe
   if (state.phase == Phase::kArrived && !within(error, arrival.leave_position, arrival.leave_heading)) {
     state = ManoeuvreState();
   }
+  count_room(situation, state);
   if (state.phase == Phase::kPlan) plan(situation, goal, state);
   switch (state.phase) {
     case Phase::kTurnToCourse: {
@@ -66,6 +67,19 @@ Advice Manoeuvre::step(const Situation& situation, const Assignment& goal, Manoe
       break;
   }
   return {stand(), DriveState::kHold, state.given_up};
+}
+
+// All the way since the last step counts, also what it rolls on before it tries to turn again.
+void Manoeuvre::count_room(const Situation& situation, ManoeuvreState& state) {
+  if (!state.room_mark) return;
+  if (state.phase != Phase::kTurnToCourse && state.phase != Phase::kTurnToHeading) {
+    state.room_mark.reset();
+    return;
+  }
+  if (state.room_mark->epoch == situation.epoch) {
+    state.room_made += (state.room_mark->X_OR.inverse() * situation.X_OR).distance();
+  }
+  state.room_mark = RoomMark{situation.X_OR, situation.epoch};
 }
 
 void Manoeuvre::interrupt(ManoeuvreState& state) {
@@ -121,7 +135,7 @@ Advice Manoeuvre::make_room(const Situation& situation, const Assignment& goal, 
     const double budget = parameters_.room_step_max * (1 + state.corrections) - state.room_made;
     const double room = straight_room(situation, goal.clearance, away, 0.3);
     if (budget > 0.0 && room > parameters_.passage.free_above) {
-      state.room_made += std::abs(situation.measured.speed) * situation.seconds;
+      state.room_mark = RoomMark{situation.X_OR, situation.epoch};
       PassageState passage;
       return creep(situation, goal.clearance, away, 3.0 * parameters_.creep, passage);
     }

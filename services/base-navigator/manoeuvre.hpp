@@ -3,6 +3,7 @@
 // From a known pose to a goal pose: turn towards it, drive, turn to its heading, stand, look again, correct.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,8 @@ struct ManoeuvreParameters {
 // Where things are now.
 struct Situation {
   std::int64_t utime = 0;
-  double seconds = 0.02;  // since the step before
+  PlanePose X_OR;  // by the wheels alone: without the jumps of X_WR; O is another frame when epoch is another
+  int epoch = 0;
   PlanePose X_WR;
   double position_sigma = 0.0;
   double heading_sigma = 0.0;
@@ -64,13 +66,19 @@ struct Assignment {
 
 enum class Phase { kPlan, kTurnToCourse, kDrive, kTurnToHeading, kSettle, kArrived, kGivenUp };
 
+struct RoomMark {
+  PlanePose X_OR;
+  int epoch = 0;
+};
+
 struct ManoeuvreState {
   Phase phase = Phase::kPlan;
   Leg leg;
   bool ran_up = false;  // the point before the goal has been used
   int corrections = 0;
-  std::int64_t standing_since = 0;  // us; 0: not standing
-  double room_made = 0.0;           // m gone to where it can turn
+  std::int64_t standing_since = 0;    // us; 0: not standing
+  double room_made = 0.0;             // m gone to where it can turn
+  std::optional<RoomMark> room_mark;  // while it is being made: up to where that is counted
   PassageState passage;
   std::string given_up;  // why
 };
@@ -100,6 +108,7 @@ class Manoeuvre {
 
  private:
   void plan(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
+  static void count_room(const Situation& situation, ManoeuvreState& state);
   Advice turn(const Situation& situation, const Assignment& goal, double angle, ManoeuvreState& state) const;
   Advice make_room(const Situation& situation, const Assignment& goal, const FreeWay& turn, const Passage& blocked,
                    ManoeuvreState& state) const;

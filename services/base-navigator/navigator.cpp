@@ -178,13 +178,16 @@ Navigator::Decision Navigator::decide(NavigatorState& state, Status& status) con
 
   Situation situation;
   situation.utime = now;
-  situation.seconds = state.track.step();
+  situation.X_OR = state.track.newest();
+  situation.epoch = state.track.epoch();
   situation.X_WR = pose_now(state);
   situation.position_sigma = state.pose->position_sigma;
   situation.heading_sigma = state.pose->heading_sigma;
   situation.measured = {state.track.speed(), state.track.turn_rate()};
-  situation.points = state.sonars.points(parameters_.sonars, state.track);
-  const double clearance = goal->clearance > 0.0 ? goal->clearance : parameters_.manoeuvre.passage.clearance;
+  const PassageParameters& passage = parameters_.manoeuvre.passage;
+  const double clearance = goal->clearance > 0.0 ? goal->clearance : passage.clearance;
+  // A turn on the spot keeps no more than its own clearance, so faces may hide no more than that.
+  situation.points = state.sonars.points(parameters_.sonars, state.track, std::min(clearance, passage.turn_clearance));
   if (const auto advice = explore(situation, clearance, state)) return {*advice, false};
 
   if (!state.X_WG && !place_goal(state)) return interrupted(brake(), DriveState::kHold, state.refusal, false);
@@ -213,7 +216,7 @@ std::string Navigator::why_goal_is_refused(const Goal& goal, const NavigatorStat
   }
   // The run before may have driven a part of it; driving it once more would end elsewhere.
   const double age = seconds_between(state.first_utime, state.track.newest_utime());
-  if (state.track.empty() || age < parameters_.trust.restart_guard) {
+  if (state.track.empty() || age < std::max(parameters_.trust.restart_guard, parameters_.trust.goal_age)) {
     return "a goal relative to the robot was given before the navigator had started; allowed: a new goal_id";
   }
   return "";

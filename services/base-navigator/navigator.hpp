@@ -22,7 +22,9 @@ struct TrustParameters {
   double position_sigma = 0.10;  // m, of a pose to drive by
   double heading_sigma = 0.3;    // rad, likewise; above it the heading is learnt first
   double goal_distance = 100.0;  // m; a goal farther from the robot is a mistake
-  double restart_guard = 0.3;    // s after the start in which a goal in R is one that was given to a run before
+  // s after the start in which a goal in R is one that was given to a run before; never taken as less than goal_age,
+  // within which such a goal counts as repeated though repetitions were lost.
+  double restart_guard = 0.6;
 };
 
 // Tags alone do not tell a robot that stands which way it looks: it creeps straight ahead until they do.

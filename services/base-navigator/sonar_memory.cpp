@@ -9,8 +9,11 @@ namespace {
 constexpr double kScanTolerance_s = 0.1;      // a scan may come so much before or after the odometry that is known
 constexpr double kRangeResolution_m = 0.001;  // what reads as the least range
 
-void add_arc(const SonarMemoryParameters& parameters, const SonarScanSample& scan, const SonarReading& reading,
-             const std::optional<FlatFace>& face, const PlanePose& X_OR, std::vector<SeenPoint>& points_O) {
+}  // namespace
+
+void SonarMemory::add_arc(const SonarMemoryParameters& parameters, const SonarScanSample& scan,
+                          const SonarReading& reading, const std::optional<FlatFace>& face, const PlanePose& X_OR,
+                          std::vector<ArcPoint>& points_O) {
   const double range = std::max(reading.range, scan.min_range);
   const bool blind = range <= scan.min_range + kRangeResolution_m;
   const PlanePose X_OS = X_OR * reading.X_RS;
@@ -20,12 +23,11 @@ void add_arc(const SonarMemoryParameters& parameters, const SonarScanSample& sca
   for (int i = 0; i <= steps; ++i) {
     const double angle = scan.beam_width * (static_cast<double>(i) / steps - 0.5);
     const double ray = face && !blind ? range_to_face(parameters.faces, reading, *face, angle) : range;
-    const Eigen::Vector2d p_S(ray * std::cos(angle), ray * std::sin(angle));
-    points_O.push_back({X_OS * p_S, blind ? scan.min_range : 0.0});
+    const Eigen::Vector2d along_S(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d p_O = X_OS * (range * along_S);
+    points_O.push_back({{p_O, blind ? scan.min_range : 0.0}, X_OS * (ray * along_S) - p_O});
   }
 }
-
-}  // namespace
 
 bool SonarMemory::add(const SonarMemoryParameters& parameters, const SonarScanSample& scan,
                       const OdometryTrack& track) {
@@ -48,12 +50,18 @@ std::int64_t SonarMemory::newest_utime(const OdometryTrack& track) const {
   return scans_.empty() || scans_.back().epoch != track.epoch() ? 0 : scans_.back().utime;
 }
 
-std::vector<SeenPoint> SonarMemory::points(const SonarMemoryParameters& parameters, const OdometryTrack& track) const {
+std::vector<SeenPoint> SonarMemory::points(const SonarMemoryParameters& parameters, const OdometryTrack& track,
+                                           double clearance) const {
+  const double gain = std::max(0.0, clearance - parameters.faces.noise);
   std::vector<SeenPoint> points_R;
   const PlanePose X_RO = track.newest().inverse();
   for (const Scan& scan : scans_) {
     if (scan.epoch != track.epoch() || seconds_between(scan.utime, track.newest_utime()) > parameters.kept) continue;
-    for (const SeenPoint& point : scan.points_O) points_R.push_back({X_RO * point.p_R, point.blind_range});
+    for (const ArcPoint& point : scan.points_O) {
+      const double pushed = point.pushed_O.norm();
+      const double part = pushed > gain ? gain / pushed : 1.0;
+      points_R.push_back({X_RO * (point.at_range.p_R + part * point.pushed_O), point.at_range.blind_range});
+    }
   }
   return points_R;
 }

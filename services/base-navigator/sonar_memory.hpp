@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "services/base-navigator/clearance.hpp"
@@ -33,14 +34,25 @@ class SonarMemory {
   // us, of the newest scan; 0 when there is none in the track's present frame.
   std::int64_t newest_utime(const OdometryTrack& track) const;
 
-  std::vector<SeenPoint> points(const SonarMemoryParameters& parameters, const OdometryTrack& track) const;
+  // For a robot that keeps `clearance` (m, 0 or more) from them: flat faces push arcs out by less than that only, so
+  // that it keeps off what one may hide too.
+  std::vector<SeenPoint> points(const SonarMemoryParameters& parameters, const OdometryTrack& track,
+                                double clearance) const;
 
  private:
+  struct ArcPoint {
+    SeenPoint at_range;                                  // in O, at the echo's own range
+    Eigen::Vector2d pushed_O = Eigen::Vector2d::Zero();  // m, from there to the flat face
+  };
+
   struct Scan {
     std::int64_t utime;
     int epoch;
-    std::vector<SeenPoint> points_O;  // m, in the track's frame O
+    std::vector<ArcPoint> points_O;  // in the track's frame O
   };
+
+  static void add_arc(const SonarMemoryParameters& parameters, const SonarScanSample& scan, const SonarReading& reading,
+                      const std::optional<FlatFace>& face, const PlanePose& X_OR, std::vector<ArcPoint>& points_O);
 
   std::deque<Scan> scans_;
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "services/base-navigator/course.hpp"
@@ -44,6 +45,45 @@ TEST(Clearance, WhatIsTooNearAlreadyForbidsOnlyComingCloser) {
   EXPECT_FALSE(free_way(kOutline, 0.15, {shelf}, kBack).limited);
   const SeenPoint beside = at(0.0, 0.25);
   EXPECT_FALSE(free_way(kOutline, 0.15, {beside}, kAhead).limited);
+}
+
+// m, the nearest that the point comes to the outline on the part of the way that is free.
+double nearest_on(const FreeWay& free, const std::vector<WayPose>& way, const SeenPoint& point) {
+  double least = distance_to_outline(kOutline, point.p_R);
+  for (const WayPose& pose : way) {
+    if (pose.length <= free.length) {
+      least = std::min(least, distance_to_outline(kOutline, pose.X_RS.inverse() * point.p_R));
+    }
+  }
+  return least;
+}
+
+TEST(Clearance, ATurnEndsBeforeItSweepsThroughWhatIsTooNearAlready) {
+  const auto turn = turning_way(kOutline, M_PI / 2.0, 0.03);
+  // 4 cm before the front: of the first one the turn even leads away at first.
+  for (const SeenPoint& pole : {at(0.26, 0.10), at(0.26, 0.0)}) {
+    const FreeWay free = free_way(kOutline, 0.05, {pole}, turn);
+    EXPECT_TRUE(free.limited) << pole.p_R.y();
+    EXPECT_GE(free.length, 0.06) << pole.p_R.y();
+    EXPECT_GE(nearest_on(free, turn, pole), 0.03) << pole.p_R.y();
+  }
+}
+
+TEST(Clearance, ACurvedWayEndsBeforeItsSideSwingsThroughWhatIsTooNearAlready) {
+  const SeenPoint post = at(0.05, 0.21);  // 3 cm beside the robot
+  std::vector<WayPose> way = {{PlanePose(), 0.0}};
+  for (int i = 1; i <= 10; ++i) {
+    way.push_back({way.back().X_RS * PlanePose{0.03, 0.0, 0.12}, 0.03 * i});  // 4 rad per m, to the left
+  }
+  const FreeWay free = free_way(kOutline, 0.05, {post}, way);
+  EXPECT_TRUE(free.limited);
+  EXPECT_GE(nearest_on(free, way, post), 0.02);
+}
+
+TEST(Clearance, NoiseOfACentimetreIsNoApproachToWhatIsTooNearAlready) {
+  std::vector<WayPose> way = {{PlanePose(), 0.0}};
+  for (int i = 1; i <= 10; ++i) way.push_back({{0.03 * i, 0.0005 * i, 0.001 * i}, 0.03 * i});
+  EXPECT_FALSE(free_way(kOutline, 0.05, {at(0.0, 0.22)}, way).limited);
 }
 
 TEST(Clearance, AnEchoTooNearToBeMeasuredKeepsTheWholeBlindRange) {

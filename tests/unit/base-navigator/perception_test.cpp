@@ -93,7 +93,7 @@ class SonarsBeforeAWall : public testing::Test {
     const auto& base = *robot_.base;
     const Outline outline{base.front, base.rear, base.half_width};
     double least = 10.0;
-    for (const SeenPoint& point : memory.points(parameters_, track_)) {
+    for (const SeenPoint& point : memory.points(parameters_, track_, 0.12)) {
       if (point.p_R.x() > 0.0) least = std::min(least, distance_to_outline(outline, point.p_R));
     }
     return least;
@@ -122,12 +122,30 @@ TEST_F(SonarsBeforeAWall, AFlatFaceIsWhereItIs) {
   EXPECT_NEAR(gap_ahead(memory), 0.12, 0.006);
 }
 
+TEST_F(SonarsBeforeAWall, AFlatFaceHidesNothingThatTheClearanceDoesNotKeepOff) {
+  track_.add(kOdometry, wheels(0, 0.0, 0.0));
+  SonarMemory memory;
+  ASSERT_TRUE(memory.add(parameters_, scan_at(1.0 - 0.22 - 0.12, 0), track_));
+  const auto wide = memory.points(parameters_, track_, 0.12);
+  double most = 0.0;
+  for (const double clearance : {0.005, 0.02, 0.03}) {
+    const auto points = memory.points(parameters_, track_, clearance);
+    ASSERT_EQ(points.size(), wide.size());
+    const auto arcs = memory.points(parameters_, track_, 0.0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_LE((points[i].p_R - arcs[i].p_R).norm(), std::max(0.0, clearance - 0.01) + 1e-9) << clearance;
+      most = std::max(most, (wide[i].p_R - arcs[i].p_R).norm());
+    }
+  }
+  EXPECT_GT(most, 0.025);
+}
+
 TEST_F(SonarsBeforeAWall, AnEchoThatItsNeighboursDoNotShareMayBeAnywhereOnItsArc) {
   track_.add(kOdometry, wheels(0, 0.0, 0.0));
   walls_ = {{{1.0, -0.02}, {1.0, 0.02}}};  // a pole straight ahead of sonar 0
   SonarMemory memory;
   ASSERT_TRUE(memory.add(parameters_, scan_at(0.0, 0), track_));
-  const auto points = memory.points(parameters_, track_);
+  const auto points = memory.points(parameters_, track_, 0.12);
   ASSERT_FALSE(points.empty());
   double leftmost = 0.0;
   for (const auto& point : points) leftmost = std::max(leftmost, point.p_R.y());
@@ -149,14 +167,14 @@ TEST_F(SonarsBeforeAWall, OneLostEchoDoesNotOpenTheWay) {
     deaf.utime = track_.newest_utime();
     memory.add(parameters_, deaf, track_);
   }
-  EXPECT_TRUE(memory.points(parameters_, track_).empty());
+  EXPECT_TRUE(memory.points(parameters_, track_, 0.12).empty());
 }
 
 TEST_F(SonarsBeforeAWall, AnEchoAtTheLeastRangeIsMarkedBlind) {
   track_.add(kOdometry, wheels(0, 0.0, 0.0));
   SonarMemory memory;
   memory.add(parameters_, scan_at(1.0 - 0.22 - 0.05, 0), track_);
-  const auto points = memory.points(parameters_, track_);
+  const auto points = memory.points(parameters_, track_, 0.12);
   EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const auto& p) { return p.blind_range == 0.10; }));
 }
 
@@ -166,7 +184,7 @@ TEST_F(SonarsBeforeAWall, ALeastRangeBeyondSightLeavesNoPoints) {
   scan.min_range = 9000.0;
   SonarMemory memory;
   memory.add(parameters_, scan, track_);
-  EXPECT_TRUE(memory.points(parameters_, track_).empty());
+  EXPECT_TRUE(memory.points(parameters_, track_, 0.12).empty());
 }
 
 TEST_F(SonarsBeforeAWall, AnArcHasBoundedlyManyPointsHoweverWideItsBeam) {
@@ -177,7 +195,7 @@ TEST_F(SonarsBeforeAWall, AnArcHasBoundedlyManyPointsHoweverWideItsBeam) {
   ASSERT_TRUE(scan.readings[0].heard);
   SonarMemory memory;
   memory.add(parameters_, scan, track_);
-  EXPECT_LE(memory.points(parameters_, track_).size(), 65U);
+  EXPECT_LE(memory.points(parameters_, track_, 0.12).size(), 65U);
 }
 
 TEST_F(SonarsBeforeAWall, WhatWasSeenBeforeTheWheelsJumpedIsForgotten) {
@@ -185,7 +203,7 @@ TEST_F(SonarsBeforeAWall, WhatWasSeenBeforeTheWheelsJumpedIsForgotten) {
   track_.add(kOdometry, wheels(0, 0.0, 0.0));
   memory.add(parameters_, scan_at(0.0, 0), track_);
   track_.add(kOdometry, wheels(1, 9.0, 9.0));
-  EXPECT_TRUE(memory.points(parameters_, track_).empty());
+  EXPECT_TRUE(memory.points(parameters_, track_, 0.12).empty());
   EXPECT_EQ(memory.newest_utime(track_), 0);
 }
 
