@@ -24,7 +24,8 @@ int TagMap::cell_index(double coordinate) const {
 }
 
 TagMap::Cell TagMap::cell(int column, int row) {
-  return (static_cast<Cell>(column) << 32) ^ static_cast<Cell>(static_cast<std::uint32_t>(row));
+  return static_cast<Cell>((static_cast<std::uint64_t>(static_cast<std::uint32_t>(column)) << 32) |
+                           static_cast<std::uint32_t>(row));
 }
 
 std::optional<int> TagMap::find(const std::string& uid) const {
