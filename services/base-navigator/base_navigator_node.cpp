@@ -68,7 +68,8 @@ void BaseNavigatorNode::add_options(CLI::App& app) {
   number("--position-sigma", trust.position_sigma, "Of a pose to drive by, at most, m", 0.01, 1.0);
   number("--heading-sigma", trust.heading_sigma, "Of a pose to drive by, at most, rad", 0.02, 3.0);
   ExploreParameters& explore = parameters_.explore;
-  app.add_option("--explore", explore.enabled, "Creep straight on to learn the heading when only that is unknown")
+  app.add_option("--explore", explore.enabled,
+                 "Creep straight on (or back) to learn the heading when only that is unknown")
       ->capture_default_str();
   number("--explore-speed", explore.speed, "m/s", 0.02, 0.5);
   number("--explore-way", explore.way, "m, at most", 0.05, 2.0);
