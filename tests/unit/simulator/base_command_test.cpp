@@ -43,7 +43,8 @@ const SimBaseTruth& newest(const Client& client) {
 // All channels' names in the order in which they were sent.
 class Eavesdropper {
  public:
-  Eavesdropper() : lcm_(url()) { lcm_.subscribe(".*", &Eavesdropper::note, this); }
+  // Not `subscribe`: GCC 12 checks the wrong pointer in a call through a member's address, and ubsan cries wolf.
+  Eavesdropper() : lcm_(url()) { lcm_.subscribeFunction(".*", note, &channels_); }
   void listen() {
     while (lcm_.handleTimeout(0) > 0) {
     }
@@ -55,7 +56,9 @@ class Eavesdropper {
     const char* given = std::getenv("MARKSERVO_LCM_URL");
     return given != nullptr ? given : bus::kDefaultUrl;
   }
-  void note(const lcm::ReceiveBuffer*, const std::string& channel) { channels_.push_back(channel); }
+  static void note(const lcm::ReceiveBuffer*, const std::string& channel, std::vector<std::string>* channels) {
+    channels->push_back(channel);
+  }
 
   lcm::LCM lcm_;
   std::vector<std::string> channels_;

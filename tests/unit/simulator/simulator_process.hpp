@@ -3,6 +3,7 @@
 // A running simulator and a client on its bus, for tests on a network of their own.
 
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -43,6 +44,7 @@ class SimulatorProcess {
     arguments.push_back(nullptr);
     pid_ = fork();
     if (pid_ == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);  // one that outlived a crashed test would keep its runner waiting
       execv(arguments[0], arguments.data());
       _exit(127);
     }
