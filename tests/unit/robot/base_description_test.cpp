@@ -1,60 +1,26 @@
 // The sections of robot.yaml that a robot which drives has.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
+#include "tests/unit/robot/robot_file.hpp"
 
 namespace markservo::robot {
 namespace {
 
 constexpr char kFirstField[] = "    - name: course ";
 
-class BaseSections : public ::testing::Test {
+class BaseSections : public RobotFile {
  protected:
-  BaseSections()
-      : path_(std::filesystem::temp_directory_path() / ("markservo-base-" + std::to_string(getpid()) + ".yaml")) {
-    std::ifstream file(MARKSERVO_SOURCE_DIR "/config/robot.yaml");
-    text_ = {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-  ~BaseSections() override { std::filesystem::remove(path_); }
-
-  // The file with its first `from` replaced.
-  void change(const std::string& from, const std::string& to) {
-    const auto at = text_.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    text_.replace(at, from.size(), to);
-  }
-
   // The file with one more field of tags, as its lines below "- name: NAME" say.
   void add_field(const std::string& name, const std::string& lines) {
     change(kFirstField, "    - name: " + name + "\n      " + lines + "\n" + kFirstField);
-  }
-
-  RobotDescription load() {
-    std::ofstream(path_) << text_;
-    return load_robot_description(path_.string());
-  }
-
-  // The one line that refuses the file.
-  std::string refusal() {
-    try {
-      load();
-    } catch (const ConfigurationError& error) {
-      std::string what = error.what();
-      EXPECT_EQ(what.find('\n'), std::string::npos) << what;
-      EXPECT_NE(what.find(path_.string()), std::string::npos) << what;
-      EXPECT_NE(what.find("allowed"), std::string::npos) << what;
-      return what;
-    }
-    ADD_FAILURE() << "was accepted";
-    return {};
   }
 
   // Whether the refusal of the file with `to` in place of `from` names `key`.
@@ -65,9 +31,6 @@ class BaseSections : public ::testing::Test {
     EXPECT_NE(why.find(key), std::string::npos) << to << ": " << why;
     text_ = whole;
   }
-
-  std::filesystem::path path_;
-  std::string text_;
 };
 
 TEST_F(BaseSections, OfTheProjectAreAccepted) {
