@@ -109,6 +109,74 @@ JointState valid_message<JointState>() {
   return state;
 }
 
+template <>
+TaskCommand valid_message<TaskCommand>() {
+  auto command = numbered<TaskCommand>();
+  command.target = "red";
+  command.drive = 1;
+  command.drive_pose = {0.2, 1.05, 1.5};
+  return command;
+}
+
+template <>
+RfidTagHits valid_message<RfidTagHits>() {
+  auto hits = numbered<RfidTagHits>();
+  hits.utime = 200'000;
+  hits.window_start = 100'000;
+  hits.window_end = 200'000;
+  RfidTagHit hit{};
+  hit.uid = "E004015000001000";
+  hit.utime = 150'000;
+  hits.hits = {hit};
+  hits.num_hits = 1;
+  return hits;
+}
+
+template <>
+SonarScan valid_message<SonarScan>() {
+  auto scan = numbered<SonarScan>();
+  scan.min_range = 0.1;
+  scan.max_range = 5.0;
+  scan.beam_width = 0.5;
+  SonarEcho echo{};
+  echo.pose = {0.22, 0.0, 0.0};
+  echo.heard = 1;
+  echo.range = 1.0;
+  scan.echoes = {echo};
+  scan.num_echoes = 1;
+  return scan;
+}
+
+template <>
+RobotPose valid_message<RobotPose>() {
+  auto pose = numbered<RobotPose>();
+  pose.odometry_session = 1;
+  pose.odometry_seq = 1;
+  pose.state = RobotPose::LOCALISED;
+  pose.pose = {0.2, 1.05, 1.5};
+  pose.covariance = {1e-4, 0.0, 0.0, 1e-4, 0.0, 1e-3};
+  pose.speed = 0.4;
+  pose.odometry_used = 1;
+  pose.delay = 0.19;
+  pose.delay_sigma = 0.01;
+  pose.paper.measured_known = 1;
+  pose.paper.measured_x = 0.2;
+  pose.paper.measured_y = 1.0;
+  pose.paper.compensated_x = 0.2;
+  pose.paper.compensated_y = 1.08;
+  return pose;
+}
+
+template <>
+BaseGoal valid_message<BaseGoal>() {
+  auto goal = numbered<BaseGoal>();
+  goal.kind = BaseGoal::DRIVE;
+  goal.pose = {0.2, 1.05, 1.5};
+  goal.clearance = 0.05;
+  goal.speed = 0.4;
+  return goal;
+}
+
 template <class M>
 void write(const std::string& folder, uint8_t index) {
   const M message = valid_message<M>();
