@@ -12,18 +12,15 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
+#include "tests/unit/bus/node_on_a_bus.hpp"
 
 namespace markservo::base_navigator {
 namespace {
 
-constexpr char kRobotFile[] = MARKSERVO_SOURCE_DIR "/config/robot.yaml";
-
-class BaseNavigatorOnABus : public testing::Test {
+class BaseNavigatorOnABus : public bus::NodeOnABus<BaseNavigatorNode> {
  protected:
-  BaseNavigatorOnABus() {
-    node_.add_options(app_);
-    node_.configure(kRobotFile);
-    node_.start(bus_);
+  BaseNavigatorOnABus() : NodeOnABus("base-navigator") {
+    start_node();
     bus_.on_each<BaseStatus>("BASE_STATUS", [this](const BaseStatus& status) {
       statuses_.push_back(status);
       order_ += 's';
@@ -34,25 +31,8 @@ class BaseNavigatorOnABus : public testing::Test {
     });
   }
 
-  static bus::BusParameters in_process() {
-    bus::BusParameters parameters;
-    parameters.urls = {"memq://", "memq://"};
-    parameters.service_name = "base-navigator";
-    parameters.heartbeat = false;
-    return parameters;
-  }
-
-  void settle() {
-    for (int i = 0; i < 8; ++i) bus_.poll(std::chrono::milliseconds(0));
-  }
-
   void tell_stop(bool latched, const std::string& device = "base") {
-    StopState stop{};
-    stop.utime = utime_;
-    stop.device = device;
-    stop.latched = latched ? 1 : 0;
-    stops_.publish(stop);
-    settle();
+    tell(stops_, bus::stop_state(utime_, device, latched));
   }
 
   void tell_goal(std::int64_t id, double x) {
@@ -62,8 +42,7 @@ class BaseNavigatorOnABus : public testing::Test {
     goal.goal_id = id;
     goal.kind = BaseGoal::DRIVE;
     goal.pose.x = x;
-    goals_.publish(goal);
-    settle();
+    tell(goals_, goal);
   }
 
   void tell_scan(int number = 16) {
@@ -82,16 +61,14 @@ class BaseNavigatorOnABus : public testing::Test {
       echo.range = 5.0;
       scan.echoes.push_back(echo);
     }
-    scans_.publish(scan);
-    settle();
+    tell(scans_, scan);
   }
 
   void tell_odometry() {
     utime_ += 20'000;
     WheelOdometry odometry{};
     odometry.utime = utime_;
-    odometry_.publish(odometry);
-    settle();
+    tell(odometry_, odometry);
   }
 
   // That answers the odometry `back` before the newest one.
@@ -103,8 +80,7 @@ class BaseNavigatorOnABus : public testing::Test {
     pose.state = RobotPose::LOCALISED;
     pose.covariance.xx = pose.covariance.yy = 1e-4;
     pose.covariance.hh = 1e-3;
-    poses_.publish(pose);
-    settle();
+    tell(poses_, pose);
   }
 
   std::int64_t odometry_seq() const { return (utime_ - kStart) / 20'000; }
@@ -115,17 +91,7 @@ class BaseNavigatorOnABus : public testing::Test {
     tell_pose();
   }
 
-  std::int64_t refused(const std::string& name) const {
-    for (const auto& channel : bus_.status().channels) {
-      if (channel.channel == name) return channel.refused;
-    }
-    return -1;
-  }
-
   static constexpr std::int64_t kStart = 1'700'000'000'000'000;
-  CLI::App app_;
-  bus::Bus bus_{in_process()};
-  BaseNavigatorNode node_;
   bus::Publisher<StopState> stops_ = bus_.advertise<StopState>("STOP_STATE");
   bus::Publisher<WheelOdometry> odometry_ = bus_.advertise<WheelOdometry>("WHEEL_ODOMETRY");
   bus::Publisher<RobotPose> poses_ = bus_.advertise<RobotPose>("ROBOT_POSE");
@@ -232,7 +198,7 @@ TEST_F(BaseNavigatorOnABus, CountsWhatItRefuses) {
   tell_stop(false);
   for (int i = 0; i < 5; ++i) cycle();
   tell_scan(15);
-  EXPECT_EQ(refused("SONAR_SCAN"), 1);
+  EXPECT_EQ(refused(bus_, "SONAR_SCAN"), 1);
   BaseGoal goal{};
   goal.utime = utime_;
   goal.session = 22;
@@ -240,15 +206,13 @@ TEST_F(BaseNavigatorOnABus, CountsWhatItRefuses) {
   goal.kind = BaseGoal::DRIVE;
   goal.frame = BaseGoal::ROBOT;
   goal.pose.x = 5000.0;
-  goals_.publish(goal);
-  settle();
-  EXPECT_EQ(refused("BASE_GOAL"), 1);
+  tell(goals_, goal);
+  EXPECT_EQ(refused(bus_, "BASE_GOAL"), 1);
   WheelOdometry late{};
   late.utime = utime_ - 1'000'000;
-  odometry_.publish(late);
-  settle();
-  EXPECT_EQ(refused("WHEEL_ODOMETRY"), 1);
-  EXPECT_EQ(refused("ROBOT_POSE"), 0);
+  tell(odometry_, late);
+  EXPECT_EQ(refused(bus_, "WHEEL_ODOMETRY"), 1);
+  EXPECT_EQ(refused(bus_, "ROBOT_POSE"), 0);
 }
 
 void expect_refused(const char* options, const char* named, const char* allowed) {
@@ -257,7 +221,7 @@ void expect_refused(const char* options, const char* named, const char* allowed)
   node.add_options(app);
   app.parse(options, false);
   try {
-    node.configure(kRobotFile);
+    node.configure(bus::kRobotFile);
     FAIL() << options;
   } catch (const ConfigurationError& error) {
     EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();

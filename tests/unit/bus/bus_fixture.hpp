@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdint>
 #include <lcm/lcm-cpp.hpp>
 #include <markservo/JointState.hpp>
@@ -10,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/bus.hpp"
+#include "tests/unit/bus/memq_bus.hpp"
 
 namespace markservo::bus {
 
@@ -18,11 +17,8 @@ namespace markservo::bus {
 class BusTest : public ::testing::Test {
  protected:
   static BusParameters parameters(const std::string& robot = {}) {
-    BusParameters result;
-    result.urls = {"memq://", "memq://"};
-    result.service_name = "test";
+    BusParameters result = memq_parameters("test");
     result.robot = robot;
-    result.heartbeat = false;
     return result;
   }
 
@@ -30,11 +26,6 @@ class BusTest : public ::testing::Test {
     JointState state{};
     state.utime = utime;
     return state;
-  }
-
-  // Handles all that waits.
-  static void settle(Bus& bus) {
-    for (int i = 0; i < 5; ++i) bus.poll(std::chrono::milliseconds(0));
   }
 
   // What SERVICE_STATUS says of the only subscribed channel.

@@ -4,6 +4,8 @@
 
 #include <markservo/TaskState.hpp>
 
+#include "tests/unit/bus/memq_bus.hpp"
+
 namespace markservo::experiments {
 namespace {
 
@@ -17,14 +19,6 @@ Pose2 pose(double x, double y, double heading) {
 
 class Drive : public ::testing::Test {
  protected:
-  static bus::BusParameters in_process() {
-    bus::BusParameters parameters;
-    parameters.urls = {"memq://", "memq://"};
-    parameters.service_name = "experiment";
-    parameters.heartbeat = false;
-    return parameters;
-  }
-
   // One WHEEL_ODOMETRY later the base is truly at y, and ROBOT_POSE says that it is `off` beside.
   void odometry(double y, double off = 0.01, int8_t state = RobotPose::LOCALISED) {
     utime_ += 20'000;
@@ -39,7 +33,7 @@ class Drive : public ::testing::Test {
     told.state = state;
     told.pose = pose(0.2 + off, y, 1.5);
     poses_.publish(told);
-    for (int i = 0; i < 4; ++i) bus_.poll(std::chrono::milliseconds(0));
+    settle(bus_);
   }
 
   void drive(double from, double to) {
@@ -48,7 +42,7 @@ class Drive : public ::testing::Test {
     watch_.observe(TaskState::LOOK);
   }
 
-  bus::Bus bus_{in_process()};
+  bus::Bus bus_{bus::memq_parameters("experiment")};
   bus::Publisher<SimBaseTruth> truths_ = bus_.advertise<SimBaseTruth>("SIM_BASE_TRUTH");
   bus::Publisher<RobotPose> poses_ = bus_.advertise<RobotPose>("ROBOT_POSE");
   DriveWatch watch_{bus_};

@@ -8,6 +8,8 @@
 #include <markservo/BaseGoal.hpp>
 #include <markservo/RobotPose.hpp>
 
+#include "tests/unit/bus/memq_bus.hpp"
+
 namespace markservo::experiments {
 namespace {
 
@@ -115,11 +117,7 @@ TEST_F(Silence, EndsWithTheWorld) {
 }
 
 TEST(StaleDriveWatch, HearsEachChannelAlone) {
-  bus::BusParameters parameters;
-  parameters.urls = {"memq://", "memq://"};
-  parameters.service_name = "experiment";
-  parameters.heartbeat = false;
-  bus::Bus bus(parameters);
+  bus::Bus bus(bus::memq_parameters("experiment"));
   StaleDriveWatch watch(bus);
   auto truths = bus.advertise<SimBaseTruth>("SIM_BASE_TRUTH");
   auto poses = bus.advertise<RobotPose>("ROBOT_POSE");
@@ -138,7 +136,7 @@ TEST(StaleDriveWatch, HearsEachChannelAlone) {
     if (i <= 50) poses.publish(pose);
     commands.publish(command);
     goals.publish(goal);
-    for (int n = 0; n < 5; ++n) bus.poll(std::chrono::milliseconds(0));
+    settle(bus);
   }
   EXPECT_NEAR(watch.pose().longest(), 3.0, 0.05);
   EXPECT_NEAR(watch.pose().moved(), 0.6, 0.03) << "0.3 s, 1 s of braking and 0.2 s were allowed";

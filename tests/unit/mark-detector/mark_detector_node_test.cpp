@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <markservo/ServiceStatus.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -14,6 +13,7 @@
 
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/picture.hpp"
+#include "tests/unit/bus/memq_bus.hpp"
 #include "tests/unit/mark-detector/synthetic_scene.hpp"
 
 namespace markservo::mark_detector {
@@ -95,14 +95,9 @@ class LiveNode : public ::testing::Test {
   }
   void send(StereoFrame frame) {
     frames_.publish(frame);
-    for (int i = 0; i < 4; ++i) on_bus_.bus().poll(std::chrono::milliseconds(0));
+    settle(on_bus_.bus());
   }
-  int64_t refused() {
-    for (const auto& channel : on_bus_.bus().status().channels) {
-      if (channel.channel == "STEREO_FRAME") return channel.refused;
-    }
-    return -1;
-  }
+  int64_t refused() { return bus::refused(on_bus_.bus(), "STEREO_FRAME"); }
 
   NodeOnBus on_bus_;
   bus::Publisher<StereoFrame> frames_;

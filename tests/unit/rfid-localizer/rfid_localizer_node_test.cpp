@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
+#include "tests/unit/bus/node_on_a_bus.hpp"
 #include "tests/unit/rfid-localizer/ideal_drive.hpp"
 
 namespace markservo::rfid_localizer {
@@ -15,30 +16,13 @@ namespace {
 
 using test::IdealDrive;
 
-constexpr char kRobotFile[] = MARKSERVO_SOURCE_DIR "/config/robot.yaml";
-
-class RfidLocalizerOnABus : public testing::Test {
+class RfidLocalizerOnABus : public bus::NodeOnABus<RfidLocalizerNode> {
  protected:
+  RfidLocalizerOnABus() : NodeOnABus("rfid-localizer") {}
+
   void start(const std::string& options = "") {
-    node_.add_options(app_);
-    app_.parse(options, false);
-    node_.configure(kRobotFile);
-    node_.start(bus_);
-    bus_.on_each<RobotPose>("ROBOT_POSE", [this](const RobotPose& pose) { poses_.push_back(pose); });
-  }
-
-  static bus::BusParameters in_process() {
-    bus::BusParameters parameters;
-    parameters.urls = {"memq://", "memq://"};
-    parameters.service_name = "rfid-localizer";
-    parameters.heartbeat = false;
-    return parameters;
-  }
-
-  template <class M>
-  void tell(bus::Publisher<M>& publisher, M message) {
-    publisher.publish(message);
-    for (int i = 0; i < 8; ++i) bus_.poll(std::chrono::milliseconds(0));
+    start_node(options);
+    collect("ROBOT_POSE", poses_);
   }
 
   // The drive's messages up to `time` (s), in order.
@@ -62,19 +46,9 @@ class RfidLocalizerOnABus : public testing::Test {
     return message;
   }
 
-  std::int64_t refused(const std::string& channel) const {
-    for (const auto& counted : bus_.status().channels) {
-      if (counted.channel == channel) return counted.refused;
-    }
-    return -1;
-  }
-
-  CLI::App app_;
-  bus::Bus bus_{in_process()};
-  RfidLocalizerNode node_;
   bus::Publisher<RfidTagHits> hits_ = bus_.advertise<RfidTagHits>("RFID_TAG_HITS");
   bus::Publisher<WheelOdometry> odometry_ = bus_.advertise<WheelOdometry>("WHEEL_ODOMETRY");
-  IdealDrive drive_{robot::load_robot_description(kRobotFile)};
+  IdealDrive drive_{robot::load_robot_description(bus::kRobotFile)};
   std::int64_t ticks_ = 0;
   double time_ = 0.0;
   int strangers_ = 0;  // reads of a tag that the map does not have, in each round
@@ -180,8 +154,8 @@ TEST_F(RfidLocalizerOnABus, RefusesWhatComesOutOfOrderAndGoesOn) {
   tell(odometry_, drive_.odometry(100));
   tell(hits_, drive_.hits(5));
   EXPECT_EQ(poses_.size(), poses);
-  EXPECT_EQ(refused("WHEEL_ODOMETRY"), 1);
-  EXPECT_EQ(refused("RFID_TAG_HITS"), 1);
+  EXPECT_EQ(refused(bus_, "WHEEL_ODOMETRY"), 1);
+  EXPECT_EQ(refused(bus_, "RFID_TAG_HITS"), 1);
   drive(3.2);
   EXPECT_EQ(poses_.size(), poses + 10);
   EXPECT_EQ(poses_.back().state, RobotPose::LOCALISED);

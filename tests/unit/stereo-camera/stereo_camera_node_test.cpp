@@ -10,6 +10,7 @@
 
 #include "common/robot/configuration_error.hpp"
 #include "temporary_folder.hpp"
+#include "tests/unit/bus/memq_bus.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -17,13 +18,6 @@ namespace {
 using testing::HasSubstr;
 
 const std::string kRobotFile = MARKSERVO_SOURCE_DIR "/config/robot.yaml";
-
-bus::BusParameters in_process() {
-  bus::BusParameters parameters;
-  parameters.urls = {"memq://", "memq://"};
-  parameters.service_name = "stereo-camera";
-  return parameters;
-}
 
 class StereoCameraOnALiveBus : public testing::Test {
  protected:
@@ -43,7 +37,7 @@ TEST_F(StereoCameraOnALiveBus, PacesPicturesByTheRate) {
   const std::string path = folder_.file("a.png");
   ASSERT_TRUE(cv::imwrite(path, cv::Mat(480, 640, CV_8UC3, cv::Scalar(1, 2, 3))));
   configure({"--left", path, "--right", path, "--rate", "50", "--loop", "--count", "4"});
-  bus::Bus bus(in_process());
+  bus::Bus bus(bus::memq_parameters("stereo-camera"));
   std::vector<StereoFrame> frames;
   bus.on_each<StereoFrame>("STEREO_FRAME", [&](const StereoFrame& frame) { frames.push_back(frame); });
   node_.start(bus);
@@ -63,7 +57,7 @@ TEST_F(StereoCameraOnALiveBus, PacesPicturesByTheRate) {
 
 TEST_F(StereoCameraOnALiveBus, WaitsForACameraThatIsNotThereAndSaysSo) {
   configure({"--device", folder_.file("video0"), "--side-by-side", "--wait-for-device"});
-  bus::Bus bus(in_process());
+  bus::Bus bus(bus::memq_parameters("stereo-camera"));
   node_.start(bus);
   std::string state;
   bus.every(std::chrono::milliseconds(200), [&] {
@@ -81,7 +75,7 @@ TEST_F(StereoCameraOnALiveBus, TellsInItsStatusHowManyPairsItDropped) {
   ASSERT_TRUE(cv::imwrite(good, cv::Mat(480, 640, CV_8UC3, cv::Scalar(1, 2, 3))));
   folder_.write("a_1.png", "not a picture");
   configure({"--left", folder_.file("a_%d.png"), "--right", folder_.file("a_%d.png"), "--rate", "50", "--loop"});
-  bus::Bus bus(in_process());
+  bus::Bus bus(bus::memq_parameters("stereo-camera"));
   node_.start(bus);
   std::string reason;
   bus.every(std::chrono::milliseconds(50), [&] {

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "common/robot/configuration_error.hpp"
 #include "services/target-locator/pose_message.hpp"
+#include "tests/unit/bus/memq_bus.hpp"
 #include "tests/unit/target-locator/synthetic_mark.hpp"
 
 namespace markservo::target_locator {
@@ -68,14 +68,7 @@ MarkDetection detection_of(const test::Scene& scene, const std::vector<std::stri
 
 class TargetLocatorOnABus : public testing::Test {
  protected:
-  TargetLocatorOnABus() : bus_(in_process()) { node_.add_options(app_); }
-
-  static bus::BusParameters in_process() {
-    bus::BusParameters parameters;
-    parameters.urls = {"memq://", "memq://"};
-    parameters.service_name = "target-locator";
-    return parameters;
-  }
+  TargetLocatorOnABus() : bus_(bus::memq_parameters("target-locator")) { node_.add_options(app_); }
 
   void start(std::vector<std::string> arguments = {}) {
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
@@ -90,7 +83,7 @@ class TargetLocatorOnABus : public testing::Test {
 
   void send(MarkDetection detection) {
     detections_->publish(detection);
-    for (int k = 0; k < 5; ++k) bus_.poll(std::chrono::milliseconds(5));
+    settle(bus_);
   }
 
   CLI::App app_;

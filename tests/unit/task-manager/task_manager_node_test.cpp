@@ -9,41 +9,24 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
+#include "tests/unit/bus/node_on_a_bus.hpp"
 
 namespace markservo::task_manager {
 namespace {
 
 constexpr int64_t kFrame_us = 33'333;
 
-class TaskManagerOnABus : public ::testing::Test {
+class TaskManagerOnABus : public bus::NodeOnABus<TaskManagerNode> {
  protected:
-  TaskManagerOnABus() {
-    node_.add_options(app_);
-    node_.configure(MARKSERVO_SOURCE_DIR "/config/robot.yaml");
-    node_.start(bus_);
-    bus_.on_each<TaskState>("TASK_STATE", [this](const TaskState& state) { states_.push_back(state); });
-    bus_.on_each<ServoGoal>("SERVO_GOAL", [this](const ServoGoal& goal) { goals_.push_back(goal); });
-    bus_.on_each<BaseGoal>("BASE_GOAL", [this](const BaseGoal& goal) { base_goals_.push_back(goal); });
-  }
-
-  static bus::BusParameters in_process() {
-    bus::BusParameters parameters;
-    parameters.urls = {"memq://", "memq://"};
-    parameters.service_name = "task-manager";
-    parameters.heartbeat = false;
-    return parameters;
-  }
-
-  void settle() {
-    for (int i = 0; i < 6; ++i) bus_.poll(std::chrono::milliseconds(0));
+  TaskManagerOnABus() : NodeOnABus("task-manager") {
+    start_node();
+    collect("TASK_STATE", states_);
+    collect("SERVO_GOAL", goals_);
+    collect("BASE_GOAL", base_goals_);
   }
 
   void tell_stop(bool latched, const std::string& device = "arm") {
-    StopState stop{};
-    stop.utime = utime_;
-    stop.device = device;
-    stop.latched = latched ? 1 : 0;
-    stop.reason = "test";
+    StopState stop = bus::stop_state(utime_, device, latched);
     stops_.publish(stop);
   }
 
@@ -113,20 +96,16 @@ class TaskManagerOnABus : public ::testing::Test {
     status.frame_session = 5;
     status.frame_seq = frame_seq_;
     status.state = servo_state;
-    statuses_.publish(status);
-    settle();
+    tell(statuses_, status);
   }
 
   static std::vector<std::string> stop_devices_but_the_arm() {
-    auto devices = robot::load_robot_description(MARKSERVO_SOURCE_DIR "/config/robot.yaml").stop_devices;
+    auto devices = robot::load_robot_description(bus::kRobotFile).stop_devices;
     devices.erase(std::remove(devices.begin(), devices.end(), "arm"), devices.end());
     return devices;
   }
 
   const std::vector<std::string> others_ = stop_devices_but_the_arm();  // they always speak
-  TaskManagerNode node_;
-  CLI::App app_;
-  bus::Bus bus_{in_process()};
   bus::Publisher<TaskCommand> commands_ = bus_.advertise<TaskCommand>("TASK_COMMAND");
   bus::Publisher<StopState> stops_ = bus_.advertise<StopState>("STOP_STATE");
   bus::Publisher<JointState> joints_ = bus_.advertise<JointState>("JOINT_STATE");
@@ -283,7 +262,7 @@ TEST(TaskManagerOptions, RangeOfThePlaceMustNotBeEmpty) {
   node.add_options(app);
   app.parse("--place-radius-min 0.3 --place-radius-max 0.2");
   try {
-    node.configure(MARKSERVO_SOURCE_DIR "/config/robot.yaml");
+    node.configure(bus::kRobotFile);
     FAIL() << "accepted";
   } catch (const ConfigurationError& error) {
     EXPECT_NE(std::string(error.what()).find("place-radius-max is 0.2"), std::string::npos) << error.what();

@@ -9,6 +9,7 @@
 
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
+#include "tests/unit/bus/memq_bus.hpp"
 
 namespace markservo::task_operator {
 namespace {
@@ -18,7 +19,7 @@ const std::string kRobotFile = std::string(MARKSERVO_SOURCE_DIR) + "/config/robo
 class OperatorOnABus : public ::testing::Test {
  protected:
   OperatorOnABus()
-      : bus_(in_process()),
+      : bus_(bus::memq_parameters("task-operator")),
         stop_states_(bus_.advertise<StopState>("STOP_STATE")),
         task_states_(bus_.advertise<TaskState>("TASK_STATE")) {
     bus_.on_each_from_many<StopRequest>("STOP", [this](const StopRequest& request) { answer(request); });
@@ -47,14 +48,6 @@ class OperatorOnABus : public ::testing::Test {
   std::vector<TaskCommand> commands_;
 
  private:
-  static bus::BusParameters in_process() {
-    bus::BusParameters parameters;
-    parameters.urls = {"memq://", "memq://"};
-    parameters.service_name = "task-operator";
-    parameters.heartbeat = false;
-    return parameters;
-  }
-
   void answer(const StopRequest& request) {
     requests_.push_back(request);
     if (deaf_to_-- > 0 || !obeys_) return;

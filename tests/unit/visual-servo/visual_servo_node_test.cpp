@@ -11,41 +11,21 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
+#include "tests/unit/bus/node_on_a_bus.hpp"
 
 namespace markservo::visual_servo {
 namespace {
 
-constexpr char kRobotFile[] = MARKSERVO_SOURCE_DIR "/config/robot.yaml";
-
-class VisualServoOnABus : public testing::Test {
+class VisualServoOnABus : public bus::NodeOnABus<VisualServoNode> {
  protected:
-  VisualServoOnABus() {
-    node_.add_options(app_);
-    node_.configure(kRobotFile);
-    node_.start(bus_);
-    bus_.on_each<JointCommand>("JOINT_COMMAND", [this](const JointCommand& command) { commands_.push_back(command); });
-    bus_.on_each<ServoStatus>("SERVO_STATUS", [this](const ServoStatus& status) { statuses_.push_back(status); });
-  }
-
-  static bus::BusParameters in_process() {
-    bus::BusParameters parameters;
-    parameters.urls = {"memq://", "memq://"};
-    parameters.service_name = "visual-servo";
-    parameters.heartbeat = false;
-    return parameters;
-  }
-
-  void settle() {
-    for (int i = 0; i < 8; ++i) bus_.poll(std::chrono::milliseconds(0));
+  VisualServoOnABus() : NodeOnABus("visual-servo") {
+    start_node();
+    collect("JOINT_COMMAND", commands_);
+    collect("SERVO_STATUS", statuses_);
   }
 
   void tell_stop(bool latched, const std::string& device = "arm") {
-    StopState stop{};
-    stop.utime = utime_;
-    stop.device = device;
-    stop.latched = latched ? 1 : 0;
-    stops_.publish(stop);
-    settle();
+    tell(stops_, bus::stop_state(utime_, device, latched));
   }
 
   void tell_joints(int num_joints = 3) {
@@ -56,8 +36,7 @@ class VisualServoOnABus : public testing::Test {
     if (num_joints == 3) joints.position = {0.0, 2.0944, -2.6180};
     joints.speed.assign(static_cast<std::size_t>(num_joints), 0.0);
     joints.gripper_opening = 0.05;
-    joints_.publish(joints);
-    settle();
+    tell(joints_, joints);
   }
 
   void tell_posture_goal() {
@@ -68,8 +47,7 @@ class VisualServoOnABus : public testing::Test {
     goal.num_joints = 3;
     goal.position = {0.5, 2.0, -2.5};
     goal.gripper_opening = 0.05;
-    goals_.publish(goal);
-    settle();
+    tell(goals_, goal);
   }
 
   void tell_pose() {
@@ -77,8 +55,7 @@ class VisualServoOnABus : public testing::Test {
     pose.utime = pose.frame_utime = utime_;
     pose.frame_session = 4;
     pose.frame_seq = ++frame_seq_;
-    poses_.publish(pose);
-    settle();
+    tell(poses_, pose);
   }
 
   void frame() {
@@ -87,9 +64,6 @@ class VisualServoOnABus : public testing::Test {
     tell_pose();
   }
 
-  CLI::App app_;
-  bus::Bus bus_{in_process()};
-  VisualServoNode node_;
   bus::Publisher<StopState> stops_ = bus_.advertise<StopState>("STOP_STATE");
   bus::Publisher<JointState> joints_ = bus_.advertise<JointState>("JOINT_STATE");
   bus::Publisher<ServoGoal> goals_ = bus_.advertise<ServoGoal>("SERVO_GOAL");
@@ -159,7 +133,7 @@ TEST(VisualServoConfiguration, AStopDeviceThatTheRobotDoesNotHaveIsRefused) {
   node.add_options(app);
   app.parse("--stop-device wing", false);
   try {
-    node.configure(kRobotFile);
+    node.configure(bus::kRobotFile);
     FAIL();
   } catch (const ConfigurationError& error) {
     EXPECT_NE(std::string(error.what()).find("'wing'"), std::string::npos);
