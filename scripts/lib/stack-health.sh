@@ -29,17 +29,17 @@ process_of() { supervise states "$1" | jq -r .state; }
 # await_ready start|restart SERVICE...: does it, waits until they are ready, and says how it went; returns 1 if one does
 # not run or is not ready.
 await_ready() {
-  local action=$1 everything=no settle=$patience command='' service process ready heard text failed=no
+  local action=$1 everything=no settle=$patience command=() service process ready heard text failed=no
   shift
   note_bus
   if diff -q <(configured_services) <(printf '%s\n' "$@" | sort -u) >/dev/null; then everything=yes; fi
   # A service alone cannot help what the others do not send.
   if [[ $everything == no || $stack_profile == replay ]]; then settle=$settle_s; fi
   if [[ -n $census ]]; then
-    command="${census@Q} --lcm-url ${bus_url@Q} --for $((${patience%.*} + 5)) --follow"
+    command=(-- "$census" --lcm-url "$bus_url" --for $((${patience%.*} + 5)) --follow)
   fi
   local ready_ones=() lines
-  lines=$(supervise "$action" "$patience" "$settle" "$command" "$@" 9>&-) || return 1
+  lines=$(supervise "$action" "$patience" "$settle" "$@" "${command[@]}" 9>&-) || return 1
   while IFS=$'\t' read -r service process ready heard text; do
     if [[ $ready == true ]]; then
       ready_ones+=("$service")
@@ -57,7 +57,7 @@ await_ready() {
   done < <(jq -r '[.name, .state, .ready, .heard,
     (.says // "") + (if (.reason // "") == "" then "" else ": " + .reason end)] | @tsv' <<<"$lines")
   if ((${#ready_ones[@]} > 0)); then
-    if [[ -n $command ]]; then say "ready: ${ready_ones[*]}"; else say "running: ${ready_ones[*]}"; fi
+    if ((${#command[@]} > 0)); then say "ready: ${ready_ones[*]}"; else say "running: ${ready_ones[*]}"; fi
   fi
   [[ $failed == no ]]
 }
