@@ -38,7 +38,10 @@ def duration: floor | [. / 3600, . % 3600 / 60, . % 60] | map(floor)
           (if $word and ($word.ready | not) then
              "not ready: " + $word.state + (if $word.reason == "" then "" else ": " + $word.reason end)
            else empty end),
-          (if $word and $word.duplicate then "another process of this name is on the bus" else empty end),
+          # Who has run for longer than was listened was not restarted meanwhile: who else speaks is another one.
+          ([$heard.services[]? | select($word != null and $process.uptime_s > 3 and .name == $word.name
+              and .robot == $word.robot and .session != $word.session)][0] // empty
+            | "another process of this name is on the bus: \(.pid) on \(.host)"),
           ($writes[] | select(.two_writers) | "another one writes \(.channel) too"),
           ($writes[] | select(.several_types) | "\(.channel) carries several types")
         ]
