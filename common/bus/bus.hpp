@@ -38,6 +38,9 @@ class BusUnavailable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The state in SERVICE_STATUS of a service that has said nothing of itself yet.
+inline constexpr const char* kStarting = "starting";
+
 struct BusParameters {
   BusUrls urls;
   std::string service_name;  // as in SERVICE_STATUS
@@ -130,7 +133,7 @@ class Bus final : private SubscriptionHost {
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
   std::vector<Timer> timers_;
   std::unique_ptr<Publisher<ServiceStatus>> status_publisher_;
-  std::string state_ = "starting";
+  std::string state_ = kStarting;
   std::string reason_;
   int64_t newest_utime_ = 0;
   bool stopped_ = false;
