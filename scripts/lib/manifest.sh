@@ -61,6 +61,10 @@ begin_manifest() {
 # counts FOLDER: what log-tool finds in the recording; null where it cannot tell.
 counts() {
   local status=0 report=''
+  if [[ -z $(find "$1" -maxdepth 1 -name 'log.lcm*' -size +0) ]]; then
+    echo '{"files": [], "channels": []}'
+    return
+  fi
   if [[ -x $log_tool ]]; then report=$("$log_tool" info --json "$1" 2>/dev/null) || status=$?; fi
   # 1: it is damaged, and said where.
   if ((status > 1)) || ! jq -e 'type == "object"' <<<"$report" 2>/dev/null >&2; then report=null; fi
