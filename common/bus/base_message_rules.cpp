@@ -10,7 +10,6 @@
 namespace markservo::bus {
 namespace {
 
-constexpr double kMaxAngle = 1e4;     // rad; a heading may wind up, but not for ever
 constexpr double kMaxRate = 1e4;      // m/s or rad/s
 constexpr double kMaxDistance = 1e8;  // m, way of a wheel since the start
 constexpr int64_t kMaxRound_us = 60'000'000;
@@ -18,19 +17,6 @@ constexpr int32_t kMaxHits = 10'000;
 constexpr int32_t kMaxEchoes = 64;
 constexpr std::size_t kMaxUidLength = 64;
 constexpr double kMaxSonarRange = 100.0;  // m; ultrasound in air is gone long before
-
-std::string beyond(const char* field, double value, double most) {
-  if (std::isfinite(value) && std::abs(value) <= most) return {};
-  return std::string(field) + " is " + std::to_string(value) + "; allowed: up to " +
-         std::to_string(static_cast<int64_t>(most)) + " either way";
-}
-
-std::string pose_violation(const char* field, const Pose2& pose) {
-  for (const double value : {pose.x, pose.y}) {
-    if (auto why = beyond(field, value, kMaxPosition); !why.empty()) return why;
-  }
-  return beyond(field, pose.heading, kMaxAngle);
-}
 
 std::string time_violation(const char* field, int64_t utime) {
   if (utime >= 0 && utime <= kMaxCount) return {};

@@ -13,7 +13,6 @@ namespace {
 constexpr int32_t kMaxImageSide = 16384;               // px
 constexpr int64_t kMaxFramePixels = int64_t{1} << 25;  // 100 MB a side as BGR; a JPEG of a few bytes can claim any size
 constexpr double kMaxMarkVariance = 4e5;               // m^2; an answer may add two marks' and stays below the above
-constexpr double kMaxAngle = 1e4;                      // rad, of a joint
 
 bool all_finite(const std::vector<double>& values) {
   for (const double value : values) {
@@ -174,8 +173,7 @@ std::string violation(const TaskCommand& command) {
     return wrong("kind", command.kind, "0, 1 or 2");
   }
   if (!near(command.p_CT_expected)) return not_near("p_CT_expected");
-  const Pose2& stand = command.drive_pose;
-  return near({stand.x, stand.y, stand.heading}) ? "" : not_near("drive_pose");
+  return pose_violation("drive_pose", command.drive_pose);
 }
 
 std::string violation(const SimControl& control) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/configuration_error.hpp"
 
 namespace markservo::robot {
@@ -14,9 +15,7 @@ namespace {
 constexpr std::size_t kMaxTags = 100'000;
 const Allowed kLength = Allowed::between(1e-4, 100.0);
 
-double radians(double degrees) {
-  return degrees * M_PI / 180.0;
-}
+using geometry::radians;
 
 BaseDescription load_base(YamlSection section) {
   BaseDescription base;
@@ -148,8 +147,9 @@ double BaseDescription::metres_per_tick() const {
   return 2.0 * M_PI * wheel_radius / ticks_per_turn;
 }
 
-double SonarRingDescription::direction(int i) const {
-  return 2.0 * M_PI * i / number;
+geometry::PlanePose SonarRingDescription::pose(int i) const {
+  const double direction = 2.0 * M_PI * i / number;
+  return {ring_radius * std::cos(direction), ring_radius * std::sin(direction), direction};
 }
 
 const TagField& FloorTagsDescription::field(const std::string& name) const {

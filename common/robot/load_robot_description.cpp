@@ -1,6 +1,7 @@
 #include <cmath>
 #include <set>
 
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/load_base.hpp"
 #include "common/robot/robot_description.hpp"
@@ -9,9 +10,7 @@
 namespace markservo::robot {
 namespace {
 
-double radians(double degrees) {
-  return degrees * M_PI / 180.0;
-}
+using geometry::radians;
 
 // A mark smaller or larger than this is a slip of units.
 const Allowed kMarkSize = Allowed::between(0.001, 2.0);

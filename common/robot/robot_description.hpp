@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/plane_pose.hpp"
 #include "common/geometry/stereo_camera.hpp"
 
 namespace markservo::robot {
@@ -123,8 +124,8 @@ struct SonarRingDescription {
   double min_range = 0.0;    // m
   double max_range = 0.0;    // m
 
-  // rad, direction of sonar `i` in R
-  double direction(int i) const;
+  // X_RS of sonar `i`, whose x is the beam's middle; its heading counts up from 0.
+  geometry::PlanePose pose(int i) const;
 };
 
 struct RfidDescription {

@@ -2,13 +2,14 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <markservo/BaseGoal.hpp>
 #include <markservo/SonarScan.hpp>
 #include <markservo/StopState.hpp>
 #include <stdexcept>
 
+#include "common/bus/number_options.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/robot/stop_device.hpp"
 #include "services/base-navigator/navigator_messages.hpp"
 
 namespace markservo::base_navigator {
@@ -48,9 +49,7 @@ void refuse(const std::string& problem) {
 void BaseNavigatorNode::add_options(CLI::App& app) {
   app.add_option("--stop-device", stop_device_, "The base's name in STOP_STATE, one of robot.yaml's stop_devices")
       ->capture_default_str();
-  const auto number = [&app](const char* name, double& value, const char* what, double min, double max) {
-    app.add_option(name, value, what)->check(CLI::Range(min, max))->capture_default_str();
-  };
+  const bus::NumberOptions number(app);
   add_motion_options(app);
   ArrivalParameters& arrival = parameters_.manoeuvre.arrival;
   number("--tolerance", arrival.position, "Arrived within, m", 0.002, 0.5);
@@ -76,9 +75,7 @@ void BaseNavigatorNode::add_options(CLI::App& app) {
 }
 
 void BaseNavigatorNode::add_motion_options(CLI::App& app) {
-  const auto number = [&app](const char* name, double& value, const char* what, double min, double max) {
-    app.add_option(name, value, what)->check(CLI::Range(min, max))->capture_default_str();
-  };
+  const bus::NumberOptions number(app);
   MotionParameters& motion = parameters_.manoeuvre.motion;
   number("--speed", motion.speed, "At most, m/s; a goal may ask for less; never above robot.yaml's", 0.05, 10.0);
   number("--turn-rate", motion.turn_rate, "At most, rad/s; never above robot.yaml's", 0.1, 20.0);
@@ -94,13 +91,7 @@ void BaseNavigatorNode::add_motion_options(CLI::App& app) {
 
 void BaseNavigatorNode::configure(const std::string& robot_file) {
   const robot::RobotDescription description = robot::load_robot_description(robot_file);
-  const auto& devices = description.stop_devices;
-  if (std::find(devices.begin(), devices.end(), stop_device_) == devices.end()) {
-    std::string allowed;
-    for (const auto& device : devices) allowed += (allowed.empty() ? "" : ", ") + device;
-    throw ConfigurationError("--stop-device '" + stop_device_ + "': allowed: stop_devices of " + robot_file + ": " +
-                             allowed);
-  }
+  robot::require_stop_device(description, stop_device_, robot_file);
   const ArrivalParameters& arrival = parameters_.manoeuvre.arrival;
   if (arrival.coarse_position < arrival.position || arrival.coarse_heading < arrival.heading) {
     throw ConfigurationError("--coarse-tolerance, --coarse-heading-tolerance: allowed: no less than --tolerance (" +

@@ -7,6 +7,8 @@
 namespace markservo::base_navigator {
 namespace {
 
+using geometry::wrapped;
+
 constexpr double kApproaching = 0.2;       // m nearer per m of way: less is driving past
 constexpr double kFirstApproach_m = 0.03;  // of way, on which that is judged
 constexpr double kSonarNoise_m = 0.01;     // nearer over the whole way: less is no approach

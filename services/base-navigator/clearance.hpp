@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "services/base-navigator/plane_pose.hpp"
+#include "common/geometry/plane_pose.hpp"
 
 namespace markservo::base_navigator {
 
@@ -28,8 +28,8 @@ struct SeenPoint {
 
 // One pose on the way.
 struct WayPose {
-  PlanePose X_RS;       // from where the robot is now
-  double length = 0.0;  // m, of the way up to here; the first is 0, each greater than the one before
+  geometry::PlanePose X_RS;  // from where the robot is now
+  double length = 0.0;       // m, of the way up to here; the first is 0, each greater than the one before
 };
 
 struct FreeWay {

@@ -5,6 +5,9 @@
 
 namespace markservo::base_navigator {
 
+using geometry::PlanePose;
+using geometry::wrapped;
+
 Course steer(const CourseParameters& parameters, const PlanePose& X_GR, Direction direction) {
   // Driving backward is driving forward with robot and goal turned round.
   const double x = sign_of(direction) * X_GR.x;

@@ -9,8 +9,8 @@
 
 #include <vector>
 
+#include "common/geometry/plane_pose.hpp"
 #include "services/base-navigator/clearance.hpp"
-#include "services/base-navigator/plane_pose.hpp"
 
 namespace markservo::base_navigator {
 
@@ -34,11 +34,11 @@ struct Course {
 };
 
 // For the robot's pose in the goal's frame. A backward course arrives with the goal's heading too.
-Course steer(const CourseParameters& parameters, const PlanePose& X_GR, Direction direction);
+Course steer(const CourseParameters& parameters, const geometry::PlanePose& X_GR, Direction direction);
 
 // The poses that the law leads through, every `step` m, up to the goal or for `length` m; never fewer than two.
-std::vector<WayPose> course_way(const CourseParameters& parameters, const PlanePose& X_GR, Direction direction,
-                                double step, double length);
+std::vector<WayPose> course_way(const CourseParameters& parameters, const geometry::PlanePose& X_GR,
+                                Direction direction, double step, double length);
 
 // Straight on, forward or backward.
 std::vector<WayPose> straight_way(Direction direction, double step, double length);

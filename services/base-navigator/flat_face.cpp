@@ -7,6 +7,8 @@
 namespace markservo::base_navigator {
 namespace {
 
+using geometry::wrapped;
+
 constexpr int kDirections = 31;       // that are tried, over the neighbours' own spread
 constexpr double kFlattestRay = 0.3;  // cosine against the normal, below which a ray runs along the face
 

@@ -6,6 +6,9 @@
 namespace markservo::base_navigator {
 namespace {
 
+using geometry::PlanePose;
+using geometry::wrapped;
+
 Leg straight_to(const PlanePose& X_WR, const PlanePose& X_WV, bool to_goal) {
   const double bearing = std::atan2(X_WV.y - X_WR.y, X_WV.x - X_WR.x);
   return {{X_WV.x, X_WV.y, bearing}, Direction::kForward, to_goal};

@@ -2,8 +2,8 @@
 
 // Which way leads to a goal: where the next leg ends, with which heading, and whether it is driven forward.
 
+#include "common/geometry/plane_pose.hpp"
 #include "services/base-navigator/course.hpp"
-#include "services/base-navigator/plane_pose.hpp"
 
 namespace markservo::base_navigator {
 
@@ -20,7 +20,7 @@ struct LegParameters {
 };
 
 struct Leg {
-  PlanePose X_WV;  // where it ends; x is the direction in which the robot looks there
+  geometry::PlanePose X_WV;  // where it ends; x is the direction in which the robot looks there
   Direction direction = Direction::kForward;
   bool to_goal = true;  // false: another leg follows
 };
@@ -32,7 +32,7 @@ struct LegPlan {
 
 // `room_behind` and `room_ahead`: m that can be gone straight, looked at as far as a correction needs.
 // `ran_up`: the point before the goal has been used already.
-LegPlan plan_leg(const LegParameters& parameters, const PlanePose& X_WR, const PlanePose& X_WG, bool docking,
-                 bool ran_up, double room_behind, double room_ahead);
+LegPlan plan_leg(const LegParameters& parameters, const geometry::PlanePose& X_WR, const geometry::PlanePose& X_WG,
+                 bool docking, bool ran_up, double room_behind, double room_ahead);
 
 }  // namespace markservo::base_navigator

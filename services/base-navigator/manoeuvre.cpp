@@ -9,6 +9,8 @@
 namespace markservo::base_navigator {
 namespace {
 
+using geometry::PlanePose;
+
 constexpr double kWayStep_m = 0.03;
 constexpr double kLegEnd_m = 0.004;      // before a leg's end: what is left is less than the pose knows
 constexpr double kLooseLegEnd_m = 0.03;  // where another leg follows

@@ -49,9 +49,9 @@ struct ManoeuvreParameters {
 // Where things are now.
 struct Situation {
   std::int64_t utime = 0;
-  PlanePose X_OR;  // by the wheels alone: without the jumps of X_WR; O is another frame when epoch is another
+  geometry::PlanePose X_OR;  // by the wheels alone: without the jumps of X_WR; O is another frame when epoch is another
   int epoch = 0;
-  PlanePose X_WR;
+  geometry::PlanePose X_WR;
   double position_sigma = 0.0;
   double heading_sigma = 0.0;
   Command measured;
@@ -59,7 +59,7 @@ struct Situation {
 };
 
 struct Assignment {
-  PlanePose X_WG;
+  geometry::PlanePose X_WG;
   double clearance = 0.0;  // m
   double speed = 0.0;      // m/s, at most
 };
@@ -67,7 +67,7 @@ struct Assignment {
 enum class Phase { kPlan, kTurnToCourse, kDrive, kTurnToHeading, kSettle, kArrived, kGivenUp };
 
 struct RoomMark {
-  PlanePose X_OR;
+  geometry::PlanePose X_OR;
   int epoch = 0;
 };
 

@@ -8,6 +8,8 @@
 namespace markservo::base_navigator {
 namespace {
 
+using geometry::PlanePose;
+
 constexpr double kNominalStep_s = 0.02;
 constexpr double kShortestStep_s = 0.005;
 constexpr double kLongestStep_s = 0.1;  // a longer gap must not become a bigger step
@@ -78,9 +80,8 @@ std::string Navigator::observe(const OdometrySample& sample, NavigatorState& sta
   return state.odometry_problem;
 }
 
-std::string Navigator::observe(const PoseSample& sample, NavigatorState& state) const {
+void Navigator::observe(const PoseSample& sample, NavigatorState& state) const {
   state.pose = sample;
-  return "";
 }
 
 std::string Navigator::observe(const SonarScanSample& scan, NavigatorState& state) const {

@@ -48,7 +48,7 @@ struct ExploreState {
   bool active = false;
   bool failed = false;
   int epoch = 0;
-  PlanePose X_OR_start;
+  geometry::PlanePose X_OR_start;
   Direction direction = Direction::kForward;
   PassageState passage;
 };
@@ -58,9 +58,9 @@ struct NavigatorState {
   SonarMemory sonars;
   std::optional<PoseSample> pose;
   GoalMemory goals;
-  std::string refusal;            // why the goal is not followed
-  std::optional<PlanePose> X_WG;  // DRIVE, once known
-  std::optional<PlanePose> X_OG;  // DRIVE in R, until X_WG is known
+  std::string refusal;                      // why the goal is not followed
+  std::optional<geometry::PlanePose> X_WG;  // DRIVE, once known
+  std::optional<geometry::PlanePose> X_OG;  // DRIVE in R, until X_WG is known
   int X_OG_epoch = 0;
   std::optional<bool> stop_latched;
   std::string stop_reason;
@@ -80,7 +80,7 @@ class Navigator {
   Navigator(const robot::RobotDescription& robot, const NavigatorParameters& parameters);
 
   std::string observe(const OdometrySample& sample, NavigatorState& state) const;
-  std::string observe(const PoseSample& sample, NavigatorState& state) const;
+  void observe(const PoseSample& sample, NavigatorState& state) const;
   std::string observe(const SonarScanSample& scan, NavigatorState& state) const;
   std::string observe(const Goal& goal, NavigatorState& state) const;
   void observe_stop(bool latched, const std::string& reason, NavigatorState& state) const;
@@ -100,7 +100,7 @@ class Navigator {
   std::string why_goal_is_refused(const Goal& goal, const NavigatorState& state) const;
   std::string why_stale(const NavigatorState& state) const;
   std::string why_lost(const NavigatorState& state) const;
-  PlanePose pose_now(const NavigatorState& state) const;
+  geometry::PlanePose pose_now(const NavigatorState& state) const;
   bool place_goal(NavigatorState& state) const;
   std::optional<Advice> explore(const Situation& situation, double clearance, NavigatorState& state) const;
 

@@ -5,6 +5,9 @@
 namespace markservo::base_navigator {
 namespace {
 
+using geometry::PlanePose;
+using geometry::wrapped;
+
 PlanePose plane_pose(const Pose2& pose) {
   return {pose.x, pose.y, wrapped(pose.heading)};
 }

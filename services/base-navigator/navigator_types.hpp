@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "services/base-navigator/plane_pose.hpp"
+#include "common/geometry/plane_pose.hpp"
+#include "common/time/seconds_between.hpp"
 
 namespace markservo::base_navigator {
 
@@ -25,14 +26,14 @@ enum class Localisation { kSearching, kLocalised, kLost };
 struct PoseSample {
   std::int64_t utime = 0;
   Localisation state = Localisation::kSearching;
-  PlanePose X_WR;
+  geometry::PlanePose X_WR;
   double position_sigma = 0.0;  // m, along the worst axis
   double heading_sigma = 0.0;   // rad
   std::string reason;           // why it is searching or lost
 };
 
 struct SonarReading {
-  PlanePose X_RS;  // x is the beam's middle
+  geometry::PlanePose X_RS;  // x is the beam's middle
   bool heard = false;
   double range = 0.0;  // m from the sonar
 };
@@ -56,9 +57,9 @@ struct Goal {
   std::int64_t id = 0;
   GoalKind kind = GoalKind::kHold;
   GoalFrame frame = GoalFrame::kWorld;
-  PlanePose pose;          // X_WG, or X_RG at first hearing
-  double clearance = 0.0;  // m; 0: the parameters' own
-  double speed = 0.0;      // m/s; 0: the parameters' own
+  geometry::PlanePose pose;  // X_WG, or X_RG at first hearing
+  double clearance = 0.0;    // m; 0: the parameters' own
+  double speed = 0.0;        // m/s; 0: the parameters' own
 };
 
 enum class DriveState { kHold, kDriving, kArrived, kBlocked, kLost, kStale, kStopped };
@@ -84,10 +85,5 @@ struct Output {
   Command command;
   Status status;
 };
-
-// Seconds between two utimes.
-inline double seconds_between(std::int64_t from_utime, std::int64_t to_utime) {
-  return static_cast<double>(to_utime - from_utime) * 1e-6;
-}
 
 }  // namespace markservo::base_navigator

@@ -6,6 +6,8 @@
 
 namespace markservo::base_navigator {
 
+using geometry::PlanePose;
+
 std::string OdometryTrack::add(const OdometryParameters& parameters, const OdometrySample& sample) {
   char text[160];
   if (history_.empty() || sample.session != session_) {
@@ -34,9 +36,8 @@ std::string OdometryTrack::add(const OdometryParameters& parameters, const Odome
   }
   const double way = 0.5 * (left + right);
   const double turn = (right - left) / parameters.track;
-  const double chord = std::abs(turn) < 1e-9 ? way : way * std::sin(0.5 * turn) / (0.5 * turn);
   const PlanePose X_OH = last.X_OR * PlanePose{0.0, 0.0, 0.5 * turn};  // H: R with the heading of half-way
-  const PlanePose X_OR = X_OH * PlanePose{chord, 0.0, 0.5 * turn};
+  const PlanePose X_OR = X_OH * PlanePose{geometry::chord(way, turn), 0.0, 0.5 * turn};
   history_.push_back({sample.utime, sample.left, sample.right, X_OR});
   while (seconds_between(history_.front().utime, sample.utime) > parameters.kept) history_.pop_front();
   measure_speed(parameters);

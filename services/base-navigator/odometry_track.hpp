@@ -30,9 +30,9 @@ class OdometryTrack {
   std::int64_t newest_utime() const { return history_.empty() ? 0 : history_.back().utime; }
   // s, from the sample before to the newest one; 0 at a track's beginning.
   double step() const;
-  PlanePose newest() const { return history_.empty() ? PlanePose() : history_.back().X_OR; }
+  geometry::PlanePose newest() const { return history_.empty() ? geometry::PlanePose() : history_.back().X_OR; }
   // Between two samples by interpolation; up to `beyond` s before or after all by the end. None when it is not known.
-  std::optional<PlanePose> at(std::int64_t utime, double beyond) const;
+  std::optional<geometry::PlanePose> at(std::int64_t utime, double beyond) const;
   double speed() const { return speed_; }          // m/s, forward
   double turn_rate() const { return turn_rate_; }  // rad/s, counter-clockwise
   // Another number for every new frame O: what was seen in an earlier one cannot be placed any more.
@@ -43,7 +43,7 @@ class OdometryTrack {
     std::int64_t utime;
     double left;
     double right;
-    PlanePose X_OR;
+    geometry::PlanePose X_OR;
   };
 
   void begin(const OdometrySample& sample);

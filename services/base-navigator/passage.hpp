@@ -16,7 +16,6 @@ struct PassageParameters {
   double blocked_below = 0.012;  // m of free way: about the sonars' noise
   double free_above = 0.06;      // m of free way that end a blockade: well above that noise
   double free_for = 0.5;         // s, before it goes on
-  double step = 0.03;            // m, between the poses on the way that are looked at
 };
 
 struct PassageState {

@@ -6,6 +6,8 @@
 namespace markservo::base_navigator {
 namespace {
 
+using geometry::PlanePose;
+
 constexpr double kScanTolerance_s = 0.1;      // a scan may come so much before or after the odometry that is known
 constexpr double kRangeResolution_m = 0.001;  // what reads as the least range
 

@@ -52,7 +52,8 @@ class SonarMemory {
   };
 
   static void add_arc(const SonarMemoryParameters& parameters, const SonarScanSample& scan, const SonarReading& reading,
-                      const std::optional<FlatFace>& face, const PlanePose& X_OR, std::vector<ArcPoint>& points_O);
+                      const std::optional<FlatFace>& face, const geometry::PlanePose& X_OR,
+                      std::vector<ArcPoint>& points_O);
 
   std::deque<Scan> scans_;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/time/seconds_between.hpp"
+
 namespace markservo::rfid_localizer {
 namespace {
 
@@ -38,7 +40,7 @@ std::optional<WheelMotion> EncoderCounters::motion(const EncoderReading& reading
     throw std::invalid_argument("utime " + std::to_string(reading.utime) + " us is not after the last, " +
                                 std::to_string(last_->utime) + "; allowed: growing times");
   }
-  const double time = 1e-6 * static_cast<double>(reading.utime - last_->utime);
+  const double time = seconds_between(last_->utime, reading.utime);
   const double left = static_cast<double>(difference(reading.left_ticks, last_->left_ticks)) * base_.metres_per_tick();
   const double right =
       static_cast<double>(difference(reading.right_ticks, last_->right_ticks)) * base_.metres_per_tick();

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "common/time/seconds_between.hpp"
+
 namespace markservo::rfid_localizer {
 namespace {
 
@@ -72,7 +74,7 @@ Mixture FreeMotionModel::start(const Place& place, const DelayPrior& delay) cons
 
 void FreeMotionModel::predict(Mixture& mixture, std::int64_t from, std::int64_t to) const {
   if (to <= from) return;
-  const double t = 1e-6 * static_cast<double>(to - from);
+  const double t = seconds_between(from, to);
   mixture = switched(mixture, transitions(parameters_, t));
   StateCovariance F = StateCovariance::Identity();
   F(kX, kVelocityX) = F(kY, kVelocityY) = t;
@@ -126,7 +128,6 @@ PoseEstimate FreeMotionModel::pose(const Mixture& mixture, std::int64_t /*utime*
   const Eigen::Vector2d offset = Eigen::Rotation2Dd(heading) * p_RF_;
 
   // The heading by the velocity: its variance at speed, that of any heading at rest.
-  constexpr double kAnyHeading = M_PI * M_PI / 3.0;
   constexpr double kAtRest = 1e-12;  // m^2/s^2
   StateVector by_velocity = StateVector::Zero();
   if (speed_squared > kAtRest) {

@@ -26,6 +26,7 @@ class FreeMotionModel final : public Motion {
   void predict(Mixture& mixture, std::int64_t from, std::int64_t to) const override;
   AntennaView antenna(const Hypothesis& hypothesis, std::int64_t middle, std::int64_t round) const override;
   bool learns_delay() const override { return false; }
+  int angle() const override { return -1; }
   void clean(Mixture& mixture) const override;
   PoseEstimate pose(const Mixture& mixture, std::int64_t utime) const override;
 

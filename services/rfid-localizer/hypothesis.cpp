@@ -1,14 +1,17 @@
 #include "services/rfid-localizer/hypothesis.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "common/geometry/plane_pose.hpp"
 
 namespace markservo::rfid_localizer {
 namespace {
 
 StateVector difference(const StateVector& a, const StateVector& b, int angle) {
   StateVector d = a - b;
-  if (angle >= 0) d[angle] = unwrapped(d[angle], 0.0);
+  if (angle >= 0) d[angle] = geometry::wrapped(d[angle]);
   return d;
 }
 
@@ -19,6 +22,12 @@ bool close(const Hypothesis& a, const Hypothesis& b, double distance, int angle)
     if (d[i] * d[i] > distance * distance * variance) return false;
   }
   return true;
+}
+
+void normalise(Mixture& mixture) {
+  double sum = 0.0;
+  for (const Hypothesis& one : mixture) sum += one.weight;
+  for (Hypothesis& one : mixture) one.weight /= sum;
 }
 
 void merge_close(Mixture& mixture, double distance, int angle) {
@@ -36,8 +45,8 @@ void merge_close(Mixture& mixture, double distance, int angle) {
 
 }  // namespace
 
-double unwrapped(double angle, double near) {
-  return near + std::remainder(angle - near, 2.0 * M_PI);
+double larger_sigma(const Eigen::Matrix2d& covariance) {
+  return std::sqrt(std::max(0.0, covariance.eigenvalues().real().maxCoeff()));
 }
 
 Hypothesis moments(const Mixture& mixture, int angle) {
@@ -67,14 +76,12 @@ Hypothesis moments(const Mixture& mixture, int angle) {
   }
   result.mode = heaviest->mode;
   result.weight = sum;
-  if (angle >= 0) result.mean[angle] = unwrapped(result.mean[angle], 0.0);
+  if (angle >= 0) result.mean[angle] = geometry::wrapped(result.mean[angle]);
   return result;
 }
 
 void tidy(Mixture& mixture, double least, double distance, std::size_t most, int angle) {
-  double sum = 0.0;
-  for (const Hypothesis& one : mixture) sum += one.weight;
-  for (Hypothesis& one : mixture) one.weight /= sum;
+  normalise(mixture);
   std::sort(mixture.begin(), mixture.end(),
             [](const Hypothesis& a, const Hypothesis& b) { return a.weight > b.weight; });
   while (mixture.size() > 1 && mixture.back().weight < least) mixture.pop_back();
@@ -87,9 +94,7 @@ void tidy(Mixture& mixture, double least, double distance, std::size_t most, int
     distance *= kCoarser;
     merge_close(mixture, distance, angle);
   }
-  sum = 0.0;
-  for (const Hypothesis& one : mixture) sum += one.weight;
-  for (Hypothesis& one : mixture) one.weight /= sum;
+  normalise(mixture);
 }
 
 }  // namespace markservo::rfid_localizer

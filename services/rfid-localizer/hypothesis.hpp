@@ -26,15 +26,17 @@ struct Hypothesis {
   double weight = 1.0;  // all together 1
   StateVector mean = StateVector::Zero();
   StateCovariance covariance = StateCovariance::Zero();
+
+  Eigen::Matrix2d place() const { return covariance.topLeftCorner<2, 2>(); }  // m^2, of (x, y)
 };
+
+// Standard deviation along the longer axis.
+double larger_sigma(const Eigen::Matrix2d& covariance);
 
 using Mixture = std::vector<Hypothesis>;
 
 // The Gaussian with the mixture's own mean and covariance. `angle` is the place of an angle that wraps, or -1.
 Hypothesis moments(const Mixture& mixture, int angle);
-
-// `angle` (rad) turned by whole turns to within pi of `near`.
-double unwrapped(double angle, double near);
 
 // Brings the weights to a sum of 1, drops hypotheses lighter than `least`, and merges those closer than `distance`
 // standard deviations of their own in every place; while there are more than `most` (above 0), those a little

@@ -5,7 +5,6 @@
 // every time is a message's. The same inputs in the same order give the same estimates.
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@
 #include "services/rfid-localizer/encoder_counters.hpp"
 #include "services/rfid-localizer/free_motion.hpp"
 #include "services/rfid-localizer/paper_method.hpp"
-#include "services/rfid-localizer/round_match.hpp"
+#include "services/rfid-localizer/round_update.hpp"
 #include "services/rfid-localizer/tag_map.hpp"
 #include "services/rfid-localizer/tag_reliability.hpp"
 #include "services/rfid-localizer/trust.hpp"
@@ -96,25 +95,27 @@ class Localizer {
   Estimate estimate(std::int64_t utime) const;
 
   bool has_wheels() const { return motion_ == &wheel_motion_; }
-  const LocalizerFaults& faults() const { return faults_; }
+  LocalizerFaults faults() const;
   const TagReliability& reliability() const { return reliability_; }
 
  private:
-  struct Window {
-    std::int64_t middle = 0;  // us
-    std::int64_t length = 0;  // us
-    double delay = 0.0;       // s, that the middle was told by
-  };
+  // Throw std::invalid_argument and count a fault where the round cannot be.
+  void check_window(const TagRound& round);
+  void follow_time(const TagRound& round);
 
-  Window window_of(const TagRound& round) const;
-  std::vector<int> tags_of(const TagRound& round, std::vector<std::optional<std::int64_t>>& moments);
+  RoundTime time_of(const TagRound& round) const;
+  std::vector<HeardTag> heard_in(const TagRound& round);
+  // Those that the antenna can have reached; the others are faults.
+  std::vector<HeardTag> reachable(const std::vector<HeardTag>& heard);
   void choose_motion(std::int64_t utime);
-  void begin(const std::vector<int>& tags, const Window& window);
-  bool match(const std::vector<int>& tags, const std::vector<std::optional<std::int64_t>>& moments,
-             const TagRound& round, const Window& window);
+  void begin(const std::vector<HeardTag>& heard, std::int64_t utime);
+  // True if the round ends all trust in the estimate.
+  bool match(const std::vector<HeardTag>& heard, const RoundTime& time);
   // Gives up what is believed of the place.
   void lose(const std::string& why);
-  void require_possible(const TagRound& round);
+  // Likewise, and what was known belongs to another time.
+  void begin_anew(const std::string& why);
+  Hypothesis whole() const;       // the mixture as one Gaussian
   double position_sigma() const;  // m, the larger axis
 
   robot::RfidDescription rfid_;
@@ -137,7 +138,7 @@ class Localizer {
   std::int64_t wheel_session_ = 0;
   std::int64_t reader_session_ = 0;
   Lateness late_odometry_, late_rounds_;
-  LocalizerFaults faults_;
+  LocalizerFaults faults_;  // but for the counters' jumps
 };
 
 }  // namespace markservo::rfid_localizer

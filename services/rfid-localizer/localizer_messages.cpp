@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "common/time/seconds_between.hpp"
+
 namespace markservo::rfid_localizer {
 namespace {
 
@@ -25,7 +27,6 @@ PaperLocalisation paper_message(const std::optional<PaperEstimate>& estimate) {
 void take_paper_pose(const PaperLocalisation& paper, RobotPose& message) {
   constexpr double kPosition = 0.026;    // m
   constexpr double kDirection = 0.1745;  // rad
-  constexpr double kAny = 3.29;          // rad^2, of a direction that is not known
   constexpr double kOld = 2.0;           // s, after which the reads tell nothing of now
   message.odometry_used = 0;
   if (paper.measured_known == 0) {
@@ -33,7 +34,7 @@ void take_paper_pose(const PaperLocalisation& paper, RobotPose& message) {
     message.reason = "no tag of the map was read yet";
     return;
   }
-  const double age = 1e-6 * static_cast<double>(message.utime - paper.utime);
+  const double age = seconds_between(paper.utime, message.utime);
   message.state = age <= kOld ? RobotPose::LOCALISED : RobotPose::LOST;
   message.reason.clear();
   if (age > kOld) {
@@ -45,7 +46,7 @@ void take_paper_pose(const PaperLocalisation& paper, RobotPose& message) {
   message.speed = paper.speed;
   message.turn_rate = 0.0;
   message.covariance = {kPosition * kPosition, 0.0, 0.0,
-                        kPosition * kPosition, 0.0, paper.direction_known != 0 ? kDirection * kDirection : kAny};
+                        kPosition * kPosition, 0.0, paper.direction_known != 0 ? kDirection * kDirection : kAnyHeading};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // How hypotheses move between rounds: by the wheels, or, on a robot without encoders, by inertia.
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 
 #include "services/rfid-localizer/hypothesis.hpp"
@@ -35,6 +36,9 @@ struct PoseEstimate {
   double turn_rate = 0.0;  // rad/s
 };
 
+// rad^2, of a heading of which nothing is known.
+inline constexpr double kAnyHeading = M_PI * M_PI / 3.0;
+
 class Motion {
  public:
   virtual ~Motion() = default;
@@ -48,6 +52,8 @@ class Motion {
   // Whether the reads may teach the delay: told from an acceleration only where that is measured. Else it is a nuisance
   // whose uncertainty counts (Schmidt, Advances in Control Systems 3, 1966).
   virtual bool learns_delay() const = 0;
+  // The place of the state's angle, or -1.
+  virtual int angle() const = 0;
   virtual void clean(Mixture& mixture) const = 0;
   // What the mixture says at its time.
   virtual PoseEstimate pose(const Mixture& mixture, std::int64_t utime) const = 0;

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "common/geometry/plane_pose.hpp"
+#include "common/time/seconds_between.hpp"
+
 namespace markservo::rfid_localizer {
 
 Eigen::Vector2d weighted_average(const std::vector<Eigen::Vector2d>& tags, double weight_sigma) {
@@ -55,12 +58,12 @@ std::optional<double> hough_direction(const std::deque<Eigen::Vector2d>& points,
   }
   double direction = 0.5 * std::atan2(sine, cosine);
   if (chord.dot(Eigen::Vector2d(std::cos(direction), std::sin(direction))) < 0.0) direction += M_PI;
-  return std::remainder(direction, 2.0 * M_PI);
+  return geometry::wrapped(direction);
 }
 
 double PaperMethod::own_speed() const {
   if (times_.size() < 2) return 0.0;
-  const double time = 1e-6 * static_cast<double>(times_.back() - times_.front());
+  const double time = seconds_between(times_.front(), times_.back());
   return time > 0.0 ? (averages_.back() - averages_.front()).norm() / time : 0.0;
 }
 

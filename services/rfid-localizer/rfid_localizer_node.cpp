@@ -2,18 +2,16 @@
 
 #include <spdlog/spdlog.h>
 
-#include <cmath>
 #include <markservo/RfidTagHits.hpp>
 #include <markservo/WheelOdometry.hpp>
-#include <stdexcept>
 
+#include "common/bus/number_options.hpp"
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/rfid-localizer/localizer_messages.hpp"
 
 namespace markservo::rfid_localizer {
 namespace {
-
-constexpr double kRadiansPerDegree = M_PI / 180.0;
 
 const char* name_of(std::int8_t state) {
   if (state == RobotPose::LOCALISED) return "localised";
@@ -23,9 +21,7 @@ const char* name_of(std::int8_t state) {
 }  // namespace
 
 void RfidLocalizerNode::add_options(CLI::App& app) {
-  const auto number = [&app](const char* name, double& value, const char* what, double min, double max) {
-    app.add_option(name, value, what)->check(CLI::Range(min, max))->capture_default_str();
-  };
+  const bus::NumberOptions number(app);
   app.add_option("--method", method_,
                  "Whose pose ROBOT_POSE carries: filter, or paper: weighted average, Hough direction, compensated "
                  "delay. Its paper part carries the paper's values either way")
@@ -57,7 +53,7 @@ void RfidLocalizerNode::configure(const std::string& robot_file) {
   parameters_.paper.delay = parameters_.delay.mean;
   if (start_heading_deg_) {
     parameters_.start_heading =
-        HeadingPrior{*start_heading_deg_ * kRadiansPerDegree, start_heading_sigma_deg_ * kRadiansPerDegree};
+        HeadingPrior{geometry::radians(*start_heading_deg_), geometry::radians(start_heading_sigma_deg_)};
   }
   const robot::BaseDescription base = robot.base.value_or(robot::BaseDescription{});
   if (robot.base) {
@@ -90,7 +86,10 @@ void RfidLocalizerNode::publish(std::int64_t utime, std::int64_t odometry_sessio
 }
 
 void RfidLocalizerNode::tell(const RobotPose& pose) {
-  const LocalizerFaults& faults = localizer_->faults();
+  const bool changed = told_ != name_of(pose.state);
+  // Counts that grow with every round would be a stream of their own.
+  if (!changed && !tell_timer_.due(pose.utime)) return;
+  const LocalizerFaults faults = localizer_->faults();
   std::string what = pose.reason;
   const auto add = [&what](std::int64_t count, const char* name) {
     if (count > 0) what += (what.empty() ? "" : "; ") + std::to_string(count) + " " + name;
@@ -102,9 +101,6 @@ void RfidLocalizerNode::tell(const RobotPose& pose) {
   add(faults.wrong_windows, "rounds with an impossible window");
   add(faults.late_odometry, "odometry out of order");
   add(faults.tick_jumps, "jumps of the encoders");
-  const bool changed = told_ != name_of(pose.state);
-  // Counts that grow with every round would be a stream of their own.
-  if (!changed && !tell_timer_.due(pose.utime)) return;
   bus_->set_state(name_of(pose.state), what);
   if (!changed) return;
   told_ = name_of(pose.state);

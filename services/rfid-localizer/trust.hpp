@@ -2,7 +2,6 @@
 
 // Whether the estimate may be believed: followed round by round, so that a robot that was carried away says so.
 
-#include <cstdint>
 #include <string>
 
 namespace markservo::rfid_localizer {
@@ -34,8 +33,8 @@ class Trust {
 
   // A round of an estimate whose position is known to `sigma` (m, the larger axis). `surprise` in standard deviations
   // (surprise.hpp) counts where the round agrees: reads that the antenna can have reached may still be the wrong ones,
-  // as those of a robot that slipped aside. True when the estimate has lost all
-  // trust and must be given up.
+  // as those of a robot that slipped aside. True when the estimate has lost all trust and
+  // must be given up.
   bool follow(Agreement agreement, double surprise, double sigma);
   // A round without any read, which the estimate lets expect with `probability`. True as follow().
   bool follow_silence(double probability);

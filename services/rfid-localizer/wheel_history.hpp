@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <deque>
 
+#include "common/time/seconds_between.hpp"
+
 namespace markservo::rfid_localizer {
 
 // Motion of the robot over a short time, as the wheels tell it.
@@ -31,8 +33,8 @@ class WheelHistory {
   std::int64_t oldest() const { return samples_.front().utime; }
 
   // Calls `use(motion)` for each piece of the way from `from` to `to` (us), in order; a part of an unknown way has its
-  // share of the variance. Before the record begins nothing
-  // is known to move; after its end the last piece goes on for at most kExtrapolation_us.
+  // share of the variance. Before the record begins nothing is known to move; after its end the last piece goes on for
+  // at most kExtrapolation_us.
   template <class Use>
   void replay(std::int64_t from, std::int64_t to, Use use) const {
     if (samples_.size() < 2 || to <= from) return;
@@ -48,7 +50,7 @@ class WheelHistory {
       if (last <= first) continue;
       const double share = static_cast<double>(last - first) / static_cast<double>(samples_[i].utime - begin);
       const WheelMotion& motion = samples_[i].motion;
-      use(WheelMotion{motion.way * share, motion.turn * share, 1e-6 * static_cast<double>(last - first),
+      use(WheelMotion{motion.way * share, motion.turn * share, seconds_between(first, last),
                       motion.unknown_way * std::sqrt(share)});
     }
   }

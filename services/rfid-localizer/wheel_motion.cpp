@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "common/geometry/plane_pose.hpp"
+
 namespace markservo::rfid_localizer {
 namespace {
 
@@ -23,7 +25,7 @@ Mixture WheelMotionModel::start(const Place& place, const DelayPrior& delay) con
   for (int i = 0; i < headings; ++i) {
     Hypothesis one;
     one.weight = 1.0 / headings;
-    one.mean[kHeading] = heading_ ? heading_->mean : unwrapped(i * spacing, 0.0);
+    one.mean[kHeading] = heading_ ? heading_->mean : geometry::wrapped(i * spacing);
     const double sigma = heading_ ? heading_->sigma : kOverlap * spacing;
     const Eigen::Vector2d offset = Eigen::Rotation2Dd(one.mean[kHeading]) * p_RF_;
     one.mean.head<2>() = place.mean - offset;

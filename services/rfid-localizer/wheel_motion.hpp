@@ -35,6 +35,7 @@ class WheelMotionModel final : public Motion {
   void predict(Mixture& mixture, std::int64_t from, std::int64_t to) const override;
   AntennaView antenna(const Hypothesis& hypothesis, std::int64_t middle, std::int64_t round) const override;
   bool learns_delay() const override { return true; }
+  int angle() const override { return kHeading; }
   void clean(Mixture& mixture) const override;
   PoseEstimate pose(const Mixture& mixture, std::int64_t utime) const override;
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "common/geometry/plane_pose.hpp"
+
 namespace markservo::rfid_localizer {
 
 void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise& noise) {
@@ -10,8 +12,7 @@ void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise
   // A wheel that is larger than told turns the robot by more as well.
   const double turn = motion.turn * (1.0 + x[kScale]);
   const double half = 0.5 * turn;
-  const double told = std::abs(half) > 1e-6 ? motion.way * std::sin(half) / half : motion.way;
-  const double way = told * (1.0 + x[kScale]);
+  const double way = geometry::chord(motion.way * (1.0 + x[kScale]), turn);
   const double middle = x[kHeading] + half;
   const double c = std::cos(middle);
   const double s = std::sin(middle);

@@ -7,7 +7,7 @@
 namespace markservo::simulator {
 namespace {
 
-std::array<double, 3> values(const PlanarPose& pose) {
+std::array<double, 3> values(const geometry::PlanePose& pose) {
   return {pose.x, pose.y, pose.heading};
 }
 
@@ -20,7 +20,7 @@ BaseBody::BaseBody(const mjModel_* model) {
   }
 }
 
-void BaseBody::put(mjData_* data, const PlanarPose& X_SC) {
+void BaseBody::put(mjData_* data, const geometry::PlanePose& X_SC) {
   next_ = X_SC;
   arrive(data);
   for (const Joint& joint : joints_) data->qvel[joint.dof] = 0.0;

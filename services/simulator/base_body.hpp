@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "services/simulator/planar_pose.hpp"
+#include "common/geometry/plane_pose.hpp"
 
 struct mjModel_;
 struct mjData_;
@@ -18,10 +18,10 @@ class BaseBody {
   explicit BaseBody(const mjModel_* model);
 
   // Puts it to `X_SC`, standing still.
-  void put(mjData_* data, const PlanarPose& X_SC);
+  void put(mjData_* data, const geometry::PlanePose& X_SC);
 
   // Where the next step shall end.
-  void aim(const PlanarPose& X_SC) { next_ = X_SC; }
+  void aim(const geometry::PlanePose& X_SC) { next_ = X_SC; }
 
   // Before a step of `dt` (s): gives it the speed that takes it to its aim.
   void depart(mjData_* data, double dt) const;
@@ -36,8 +36,8 @@ class BaseBody {
     int dof;   // address in qvel
   };
   std::array<Joint, 3> joints_{};  // x, y, turn
-  PlanarPose now_;
-  PlanarPose next_;
+  geometry::PlanePose now_;
+  geometry::PlanePose next_;
 };
 
 }  // namespace markservo::simulator

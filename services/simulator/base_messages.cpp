@@ -5,7 +5,7 @@
 namespace markservo::simulator {
 namespace {
 
-Pose2 pose_message(const PlanarPose& pose) {
+Pose2 pose_message(const geometry::PlanePose& pose) {
   Pose2 message{};
   message.x = pose.x;
   message.y = pose.y;

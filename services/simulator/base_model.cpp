@@ -36,11 +36,11 @@ std::int64_t first_count(const robot::BaseDescription& base, std::uint64_t seed,
   return (std::int64_t{1} << base.counter_bits) - 1 - std::llround(before_wrap / base.metres_per_tick());
 }
 
-// Where a robot at `pose` is after its middle went `way` along an arc that turns by `turn`.
-PlanarPose along_arc(const PlanarPose& pose, double way, double turn) {
-  const double half = 0.5 * turn;
-  const double chord = std::abs(half) < 1e-9 ? way : way * std::sin(half) / half;
-  const double direction = pose.heading + half;
+// Where a robot at `pose` is after its middle went `way` along an arc that turns by `turn`; its heading is
+// not wrapped.
+geometry::PlanePose along_arc(const geometry::PlanePose& pose, double way, double turn) {
+  const double chord = geometry::chord(way, turn);
+  const double direction = pose.heading + 0.5 * turn;
   return {pose.x + chord * std::cos(direction), pose.y + chord * std::sin(direction), pose.heading + turn};
 }
 
@@ -65,8 +65,8 @@ std::int64_t BaseModel::Wheel::turned(double tick) const {
   return static_cast<std::int64_t>(std::floor(way_ / tick));
 }
 
-BaseModel::BaseModel(const robot::BaseDescription& base, const BaseModelParameters& parameters, const PlanarPose& start,
-                     std::uint64_t seed)
+BaseModel::BaseModel(const robot::BaseDescription& base, const BaseModelParameters& parameters,
+                     const geometry::PlanePose& start, std::uint64_t seed)
     : base_(base),
       parameters_(parameters),
       tick_(base.metres_per_tick()),

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/simulator/planar_pose.hpp"
 #include "services/simulator/random.hpp"
 
 namespace markservo::simulator {
@@ -28,7 +28,7 @@ class BaseModel {
  public:
   // At rest at X_WR = `start`; the counters start less than 0.25 m of forward way below their wrap-around. Throws
   // std::invalid_argument for parameters below 0, a slip above 0.5 or a start that is not finite.
-  BaseModel(const robot::BaseDescription& base, const BaseModelParameters& parameters, const PlanarPose& start,
+  BaseModel(const robot::BaseDescription& base, const BaseModelParameters& parameters, const geometry::PlanePose& start,
             std::uint64_t seed);
 
   // Wanted speed (m/s, forward) and turn rate (rad/s, counter-clockwise) of the wheels as the encoders measure them;
@@ -41,9 +41,9 @@ class BaseModel {
   // Lets `dt` (s, above 0) pass.
   void step(double dt);
 
-  const PlanarPose& pose() const { return pose_; }  // the true X_WR
-  double speed() const { return speed_; }           // m/s, the true one over the last step
-  double turn_rate() const { return turn_rate_; }   // rad/s, the true one over the last step
+  const geometry::PlanePose& pose() const { return pose_; }  // the true X_WR
+  double speed() const { return speed_; }                    // m/s, the true one over the last step
+  double turn_rate() const { return turn_rate_; }            // rad/s, the true one over the last step
 
   WheelTicks ticks() const;
   double left_distance() const { return left_.distance(tick_); }    // m since the start, from the ticks
@@ -79,7 +79,7 @@ class BaseModel {
   double tick_;              // m
   double noise_per_sqrt_m_;  // m of each wheel
   double scale_;             // true way over told way
-  PlanarPose pose_;
+  geometry::PlanePose pose_;
   Wheel left_;
   Wheel right_;
   double wanted_speed_ = 0.0;

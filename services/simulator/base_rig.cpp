@@ -24,8 +24,8 @@ OdometryReading reading(const BaseModel& base, std::int64_t utime) {
 
 }  // namespace
 
-BaseRig::BaseRig(const robot::RobotDescription& robot, const BaseRigParameters& parameters, const PlanarPose& start,
-                 std::uint64_t seed, std::int64_t epoch)
+BaseRig::BaseRig(const robot::RobotDescription& robot, const BaseRigParameters& parameters,
+                 const geometry::PlanePose& start, std::uint64_t seed, std::int64_t epoch)
     : epoch_(epoch), utime_(epoch), base_(base_of(robot), parameters.base, start, seed_for(seed, kBaseStream, 0)) {
   if (epoch <= 0) throw std::invalid_argument("BaseRig: epoch is " + std::to_string(epoch) + "; allowed: above 0 us");
   if (robot.rfid && robot.floor_tags) {

@@ -31,9 +31,9 @@ struct OdometryReading {
 };
 
 struct BaseTruth {
-  PlanarPose pose;         // X_WR
-  double speed = 0.0;      // m/s
-  double turn_rate = 0.0;  // rad/s
+  geometry::PlanePose pose;  // X_WR
+  double speed = 0.0;        // m/s
+  double turn_rate = 0.0;    // rad/s
 };
 
 // What has become due since it was last taken.
@@ -51,7 +51,7 @@ class BaseRig {
   // At rest at X_WR = `start`, at `epoch` (us, above 0): the first odometry and the first round are due then. A robot
   // without rfid or floor_tags reads none. Throws ConfigurationError if it has no base or the tag field is unknown,
   // std::invalid_argument for parameters out of range.
-  BaseRig(const robot::RobotDescription& robot, const BaseRigParameters& parameters, const PlanarPose& start,
+  BaseRig(const robot::RobotDescription& robot, const BaseRigParameters& parameters, const geometry::PlanePose& start,
           std::uint64_t seed, std::int64_t epoch);
 
   // Wanted speed (m/s) and turn rate (rad/s), good for 0.3 s: then the base brakes unless told again. Throws

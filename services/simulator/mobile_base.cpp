@@ -1,6 +1,5 @@
 #include "services/simulator/mobile_base.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "services/simulator/random.hpp"
@@ -28,7 +27,7 @@ RfidReaderParameters reader_parameters(const Settings& settings) {
 BaseRigParameters rig_parameters(const Scene& scene, const Settings& settings) {
   BaseRigParameters parameters;
   parameters.base.scale_sigma = settings.base_scale_sigma;
-  parameters.base.drift = settings.base_drift_deg_per_sqrt_m * M_PI / 180.0;
+  parameters.base.drift = geometry::radians(settings.base_drift_deg_per_sqrt_m);
   parameters.base.slip = settings.base_slip;
   parameters.floor.missing = settings.rfid_missing_tags;
   parameters.floor.survey_error = settings.rfid_survey_error;
@@ -46,8 +45,8 @@ SonarParameters sonar_parameters(const Settings& settings) {
 MobileBase::MobileBase(const robot::RobotDescription& robot, const Scene& scene, const Settings& settings,
                        std::uint64_t seed, std::int64_t epoch)
     : rig_(robot, rig_parameters(scene, settings),
-           pose_from_degrees(settings.base_start_x, settings.base_start_y, settings.base_start_heading_deg), seed,
-           epoch),
+           geometry::pose_from_degrees(settings.base_start_x, settings.base_start_y, settings.base_start_heading_deg),
+           seed, epoch),
       sonar_parameters_(sonar_parameters(settings)),
       next_scan_(epoch) {
   if (robot.sonars) sonars_.emplace(*robot.sonars, seed_for(seed, kSonarStream, 0));

@@ -75,7 +75,7 @@ double RfidReaderModel::rssi(double distance, double noise) const {
          parameters_.rssi_noise * noise;
 }
 
-void RfidReaderModel::observe(std::int64_t utime, const PlanarPose& X_WR) {
+void RfidReaderModel::observe(std::int64_t utime, const geometry::PlanePose& X_WR) {
   const Antenna now{utime, X_WR * reader_.p_RF};
   if (!last_) {
     last_ = now;
@@ -99,13 +99,13 @@ void RfidReaderModel::observe(std::int64_t utime, const PlanarPose& X_WR) {
 void RfidReaderModel::read_between(const Antenna& from, const Antenna& to, std::int64_t begin, std::int64_t end) {
   const double reach = reader_.reading_radius + kNegligibleEdge * reader_.edge_softness;
   const double half_way = 0.5 * (to.p_W - from.p_W).norm();
-  for (const std::size_t i : floor_.near(between(0.5, from.p_W, to.p_W), reach + half_way)) {
-    RandomBits bits(seed_for(seed_for(seed_, kReadStream, round_), kReadStream, i));
+  for (const int i : floor_.near(between(0.5, from.p_W, to.p_W), reach + half_way)) {
+    RandomBits bits(seed_for(seed_for(seed_, kReadStream, round_), kReadStream, static_cast<std::uint64_t>(i)));
     const auto into_round = static_cast<std::int64_t>(bits.uniform() * static_cast<double>(round_us_));
     const std::int64_t moment = round_start_ + into_round;
     if (moment < begin || moment >= end) continue;
     const double share = static_cast<double>(moment - from.utime) / static_cast<double>(to.utime - from.utime);
-    const robot::FloorTag& tag = floor_.tags()[i];
+    const robot::FloorTag& tag = floor_.tags()[static_cast<std::size_t>(i)];
     const double distance = (tag.p_W - between(share, from.p_W, to.p_W)).norm();
     if (bits.uniform() >= read_probability(distance)) continue;
     reads_.push_back({moment, tag.uid, rssi(distance, bits.gaussian())});

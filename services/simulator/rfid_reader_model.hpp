@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/simulator/planar_pose.hpp"
 #include "services/simulator/tag_floor.hpp"
 
 namespace markservo::simulator {
@@ -60,7 +60,7 @@ class RfidReaderModel {
   // The robot is at X_WR at `utime` (us), having come there evenly since the last call; the first call begins the first
   // round. How far apart the calls are does not matter otherwise. Throws std::invalid_argument if time does not
   // advance.
-  void observe(std::int64_t utime, const PlanarPose& X_WR);
+  void observe(std::int64_t utime, const geometry::PlanePose& X_WR);
 
   // The rounds that have arrived by `utime` (us), oldest first, each once.
   std::vector<TagRound> take_arrived(std::int64_t utime);

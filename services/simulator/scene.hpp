@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/simulator/planar_pose.hpp"
 
 namespace markservo::simulator {
 
@@ -58,7 +58,7 @@ struct DockScene {
   double y = 0.0;            // m
   double heading_deg = 0.0;  // deg
 
-  PlanarPose X_WD() const { return pose_from_degrees(x, y, heading_deg); }
+  geometry::PlanePose X_WD() const { return geometry::pose_from_degrees(x, y, heading_deg); }
 };
 
 struct RoomScene {
@@ -96,9 +96,8 @@ struct Scene {
   std::vector<Distractor> distractors;
 };
 
-// Reads and checks a scene file; every book's mark must be a target of `robot`, and the dock in one of
-// its tag fields. Throws ConfigurationError: one line
-// with file, key, value and what is allowed.
+// Reads and checks a scene file; every book's mark must be a target of `robot`, and the dock in one of its tag
+// fields. Throws ConfigurationError: one line with file, key, value and what is allowed.
 Scene load_scene(const std::string& path, const robot::RobotDescription& robot);
 
 }  // namespace markservo::simulator

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/configuration_error.hpp"
 
 namespace markservo::simulator {
@@ -122,6 +123,10 @@ Settings default_settings(const robot::RobotDescription& robot, const Scene& sce
   settings.base_start_x = scene.dock.x;
   settings.base_start_y = scene.dock.y;
   settings.base_start_heading_deg = scene.dock.heading_deg;
+  if (robot.base) {
+    settings.base_scale_sigma = robot.base->scale_sigma;
+    settings.base_drift_deg_per_sqrt_m = geometry::degrees(robot.base->drift);
+  }
   if (robot.rfid) settings.rfid_delay_s = robot.rfid->delay;
   if (robot.floor_tags) settings.rfid_survey_error = robot.floor_tags->survey_sigma;
   settings.frames_rate_hz = lockstep ? 30.0 : 15.0;

@@ -54,8 +54,8 @@ struct Settings {
   double base_start_x = 0.0;
   double base_start_y = 0.0;
   double base_start_heading_deg = 0.0;
-  double base_scale_sigma = 0.02;
-  double base_drift_deg_per_sqrt_m = 2.0;
+  double base_scale_sigma = 0.0;
+  double base_drift_deg_per_sqrt_m = 0.0;
   double base_slip = 0.0;
 
   double rfid_missed = 0.0;
@@ -96,8 +96,9 @@ struct SettingDescription {
 // All settings, in the order of the list for people.
 const std::vector<SettingDescription>& setting_descriptions();
 
-// The defaults for this robot in this scene: at the dock, its reader as robot.yaml has it. Lockstep runs 30 frames a
-// second, real time 15: what two busy cores render. Throws ConfigurationError if the robot has no arm.
+// The defaults for this robot in this scene: at the dock, its encoders, reader and tags as good as robot.yaml has them.
+// Lockstep runs 30 frames a second, real time 15: what two busy cores render. Throws ConfigurationError if the robot
+// has no arm.
 Settings default_settings(const robot::RobotDescription& robot, const Scene& scene, bool lockstep);
 
 // Sets one setting. Throws ConfigurationError (name, value, what is allowed) for an unknown name or an impossible

@@ -360,9 +360,10 @@ void SimulatorNode::publish_stop_states() {
   message.request_session = stops_.session();
   message.request_id = stops_.id();
   message.reason = stop_reason_;
-  for (const char* device : {"arm", "base"}) {
-    if (device == std::string("base") && !base_) continue;
-    message.device = device;
+  message.device = "arm";
+  stop_states_->publish(message);
+  if (base_) {
+    message.device = "base";
     stop_states_->publish(message);
   }
   stop_state_timer_.restart(message.utime);

@@ -17,11 +17,10 @@ constexpr std::uint64_t kSonarStream = 0x91;
 std::vector<Ray> SonarModel::rays() const {
   std::vector<Ray> rays;
   for (int sonar = 0; sonar < ring_.number; ++sonar) {
-    const double middle = ring_.direction(sonar);
-    const Eigen::Vector3d origin(ring_.ring_radius * std::cos(middle), ring_.ring_radius * std::sin(middle),
-                                 ring_.height);
+    const geometry::PlanePose X_RS = ring_.pose(sonar);
+    const Eigen::Vector3d origin(X_RS.x, X_RS.y, ring_.height);
     for (int i = 0; i < kRaysPerBeam; ++i) {
-      const double direction = middle + ring_.beam_width * (static_cast<double>(i) / (kRaysPerBeam - 1) - 0.5);
+      const double direction = X_RS.heading + ring_.beam_width * (static_cast<double>(i) / (kRaysPerBeam - 1) - 0.5);
       rays.push_back({origin, {std::cos(direction), std::sin(direction), 0.0}});
     }
   }
@@ -39,9 +38,8 @@ SonarReading SonarModel::listen(const std::vector<std::optional<double>>& distan
   const std::uint64_t scan_seed = seed_for(seed_, kSonarStream, scans_++);
   for (int sonar = 0; sonar < ring_.number; ++sonar) {
     RandomBits bits(seed_for(scan_seed, kSonarStream, static_cast<std::uint64_t>(sonar)));
-    const double direction = ring_.direction(sonar);
     SonarEchoReading echo;
-    echo.X_RS = {ring_.ring_radius * std::cos(direction), ring_.ring_radius * std::sin(direction), direction};
+    echo.X_RS = ring_.pose(sonar);
     echo.range = ring_.max_range;
 
     const auto first = distances.begin() + static_cast<std::ptrdiff_t>(sonar) * kRaysPerBeam;

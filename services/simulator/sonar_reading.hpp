@@ -3,15 +3,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "services/simulator/planar_pose.hpp"
+#include "common/geometry/plane_pose.hpp"
 
 namespace markservo::simulator {
 
 // What one sonar heard; as SonarEcho.lcm has it.
 struct SonarEchoReading {
-  PlanarPose X_RS;     // the sonar in R: x is the beam's middle
-  bool heard = false;  // false: nothing within the ring's greatest range, or the echo was lost
-  double range = 0.0;  // m, the greatest range unless heard
+  geometry::PlanePose X_RS;  // the sonar in R: x is the beam's middle
+  bool heard = false;        // false: nothing within the ring's greatest range, or the echo was lost
+  double range = 0.0;        // m, the greatest range unless heard
 };
 
 // One round of all sonars; as SonarScan.lcm has it.

@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
+#include "common/geometry/point_grid.hpp"
 #include "common/robot/robot_description.hpp"
 
 namespace markservo::simulator {
@@ -27,7 +27,7 @@ class TagFloor {
   const std::vector<robot::FloorTag>& tags() const { return tags_; }
 
   // Which of tags() are within `radius` (m, 0 or more) of `p_W`, in rising order.
-  std::vector<std::size_t> near(const Eigen::Vector2d& p_W, double radius) const;
+  std::vector<int> near(const Eigen::Vector2d& p_W, double radius) const;
 
   // True if the map has that uid, there or missing.
   bool maps(const std::string& uid) const { return mapped_.count(uid) != 0; }
@@ -35,7 +35,7 @@ class TagFloor {
  private:
   std::vector<robot::FloorTag> tags_;
   std::unordered_set<std::string> mapped_;
-  std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;  // of a square grid
+  geometry::PointGrid places_;  // of tags_
 };
 
 }  // namespace markservo::simulator

@@ -98,7 +98,8 @@ World::World(const robot::RobotDescription& robot, const Scene& scene, const Set
       settings_(settings),
       scene_frame_(scene.dock.X_WD(), robot.cameras.p_RC),
       floor_z_(scene.room.floor_z),
-      X_WR_(pose_from_degrees(settings.base_start_x, settings.base_start_y, settings.base_start_heading_deg)) {
+      X_WR_(
+          geometry::pose_from_degrees(settings.base_start_x, settings.base_start_y, settings.base_start_heading_deg)) {
   check_against_robot(settings, robot);
   drop_impossible_box_contacts();
   // MuJoCo would write a log file into the working folder; step() looks at the warnings' counters instead.
@@ -174,7 +175,7 @@ void World::put_obstacle() {
   quaternion[3] = std::sin(turn);
 }
 
-void World::move_base(const PlanarPose& X_WR) {
+void World::move_base(const geometry::PlanePose& X_WR) {
   X_WR_ = X_WR;
   base_->aim(scene_frame_.camera(X_WR));
 }

@@ -82,7 +82,7 @@ class World {
   void freeze();
 
   // Where the base shall be after the next step, X_WR. It begins where the settings start it.
-  void move_base(const PlanarPose& X_WR);
+  void move_base(const geometry::PlanePose& X_WR);
 
   // Lets kTimeStep pass.
   void step();
@@ -133,7 +133,7 @@ class World {
   SceneFrame scene_frame_;
   double floor_z_;  // m in S
   std::optional<BaseBody> base_;
-  PlanarPose X_WR_;
+  geometry::PlanePose X_WR_;
   std::vector<int> standing_boxes_;
   std::vector<JointDrive> joints_;
   std::vector<JointDrive> fingers_;  // their servo models are unused: the opening's ramp drives both

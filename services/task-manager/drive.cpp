@@ -15,9 +15,9 @@ constexpr int kStanding = 3;  // arrived
 
 constexpr double kPointlessCorrection = 0.01;  // m: the target stands as wished, and still cannot be taken
 
-std::string words_of(const FloorPose& pose) {
+std::string words_of(const geometry::PlanePose& pose) {
   char text[96];
-  std::snprintf(text, sizeof text, "x %.2f m, y %.2f m, %.0f degrees", pose.x, pose.y, pose.heading * 180.0 / M_PI);
+  std::snprintf(text, sizeof text, "x %.2f m, y %.2f m, %.0f degrees", pose.x, pose.y, geometry::degrees(pose.heading));
   return text;
 }
 
@@ -60,7 +60,7 @@ void ProcedureStep::make_ready() {
   play(path.moves());
 }
 
-void ProcedureStep::drive_to(bool from_robot, const FloorPose& pose) {
+void ProcedureStep::drive_to(bool from_robot, const geometry::PlanePose& pose) {
   enter_stage(kDriving, (from_robot ? "driving on by " : "driving to ") + words_of(pose));
   s_.drive.driven = true;
   s_.drive.words = s_.reason;

@@ -6,16 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "common/time/seconds_between.hpp"
 #include "services/task-manager/parameters.hpp"
 #include "services/task-manager/posture_path.hpp"
 #include "services/task-manager/procedure_types.hpp"
 
 namespace markservo::task_manager {
-
-// Seconds between two utimes.
-inline double seconds_between(std::int64_t from_utime, std::int64_t to_utime) {
-  return 1e-6 * static_cast<double>(to_utime - from_utime);
-}
 
 struct MoveProgress {
   std::int64_t since = 0;             // us, when its goal was first sent

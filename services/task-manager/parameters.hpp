@@ -12,7 +12,7 @@ struct LookParameters {
 
 struct DriveParameters {
   double speed = 0.40;
-  double clearance = 0.08;       // docked, a shelf is 0.126 m ahead and a table's leg 0.15 m beside; sonars err by 1 cm
+  double clearance = 0.08;  // docked, a shelf's front is 0.17 m ahead, a table's leg 0.19 m beside; sonars err by 1 cm
   double home_tolerance = 0.05;  // rad, each joint: deadband and backlash of a folded arm
   double settle_time = 0.5;      // from arrival to the first picture that counts: the robot has swung out
   double stuck_timeout = 20.0;   // blocked or lost for so long: give up

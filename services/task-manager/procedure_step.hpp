@@ -46,7 +46,7 @@ class ProcedureStep {
   // drive.cpp: before figure 11.
   void drive();
   void make_ready();
-  void drive_to(bool from_robot, const FloorPose& pose);
+  void drive_to(bool from_robot, const geometry::PlanePose& pose);
   void watch_the_drive();
   bool corrects_the_stand(const std::string& trouble);
   bool may_drive() const;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/robot_description.hpp"
 #include "common/task/task_phase.hpp"
 
@@ -21,21 +22,14 @@ enum class Result { kNone, kLifted, kRefused, kFailed };
 
 enum class CommandKind { kStart, kAbort, kHome };
 
-// A pose on the floor.
-struct FloorPose {
-  double x = 0.0;        // m
-  double y = 0.0;        // m
-  double heading = 0.0;  // rad, of the x axis, counter-clockwise from above
-};
-
 struct Command {
   std::int64_t session = 0;
   std::int64_t id = 0;
   CommandKind kind = CommandKind::kAbort;
   std::string target;
   bool carry = false;
-  std::optional<Eigen::Vector3d> p_CT_expected;  // m
-  std::optional<FloorPose> drive_pose;           // X_WR, where to stand; absent: where it stands
+  std::optional<Eigen::Vector3d> p_CT_expected;   // m
+  std::optional<geometry::PlanePose> drive_pose;  // X_WR, where to stand; absent: where it stands
 };
 
 // As ServoStatus.lcm numbers them.
@@ -115,7 +109,7 @@ struct DriveGoal {
   std::int64_t id = 0;      // grows with every new goal; 0: none yet
   bool drive = false;       // else stand still
   bool from_robot = false;  // `pose` is X_RG, from where the robot stands; else X_WG
-  FloorPose pose;
+  geometry::PlanePose pose;
   double clearance = 0.0;  // m
   double speed = 0.0;      // m/s, at most
 };

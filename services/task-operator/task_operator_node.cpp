@@ -148,7 +148,7 @@ void TaskOperatorNode::send() {
     command.drive = 1;
     command.drive_pose.x = drive_[0];
     command.drive_pose.y = drive_[1];
-    command.drive_pose.heading = drive_[2] * M_PI / 180.0;
+    command.drive_pose.heading = geometry::radians(drive_[2]);
   }
   commands_->publish(command);
 }

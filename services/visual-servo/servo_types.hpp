@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
+#include "common/time/seconds_between.hpp"
 
 namespace markservo::visual_servo {
 
@@ -83,10 +84,5 @@ struct Output {
   std::optional<Command> command;
   Status status;
 };
-
-// Seconds between two utimes.
-inline double seconds_between(std::int64_t from_utime, std::int64_t to_utime) {
-  return static_cast<double>(to_utime - from_utime) * 1e-6;
-}
 
 }  // namespace markservo::visual_servo

@@ -2,13 +2,14 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <markservo/JointState.hpp>
 #include <markservo/ServoGoal.hpp>
 #include <markservo/StopState.hpp>
 #include <stdexcept>
 
+#include "common/bus/number_options.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/robot/stop_device.hpp"
 #include "services/visual-servo/servo_messages.hpp"
 
 namespace markservo::visual_servo {
@@ -40,9 +41,7 @@ const char* name_of(ServoState state) {
 
 void VisualServoNode::add_options(CLI::App& app) {
   SightParameters& sight = parameters_.sight;
-  const auto number = [&app](const char* name, double& value, const char* what, double min, double max) {
-    app.add_option(name, value, what)->check(CLI::Range(min, max))->capture_default_str();
-  };
+  const bus::NumberOptions number(app);
   const auto count = [&app](const char* name, int& value, const char* what, int min, int max) {
     app.add_option(name, value, what)->check(CLI::Range(min, max))->capture_default_str();
   };
@@ -77,13 +76,7 @@ void VisualServoNode::add_options(CLI::App& app) {
 
 void VisualServoNode::configure(const std::string& robot_file) {
   const robot::RobotDescription description = robot::load_robot_description(robot_file);
-  const auto& devices = description.stop_devices;
-  if (std::find(devices.begin(), devices.end(), stop_device_) == devices.end()) {
-    std::string allowed;
-    for (const auto& device : devices) allowed += (allowed.empty() ? "" : ", ") + device;
-    throw ConfigurationError("--stop-device '" + stop_device_ + "': allowed: stop_devices of " + robot_file + ": " +
-                             allowed);
-  }
+  robot::require_stop_device(description, stop_device_, robot_file);
   parameters_.law = law_ == "paper" ? Law::kPaper : Law::kResolvedRate;
   try {
     machine_ = std::make_unique<ServoStateMachine>(description, parameters_);

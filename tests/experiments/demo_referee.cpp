@@ -59,7 +59,7 @@ std::optional<Pose2> drive_pose(const DemoOptions& demo) {
   Pose2 pose{};
   pose.x = demo.drive[0];
   pose.y = demo.drive[1];
-  pose.heading = demo.drive[2] * M_PI / 180.0;
+  pose.heading = geometry::radians(demo.drive[2]);
   return pose;
 }
 

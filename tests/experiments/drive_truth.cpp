@@ -6,6 +6,8 @@
 #include <markservo/TaskState.hpp>
 #include <string>
 
+#include "common/geometry/plane_pose.hpp"
+#include "common/time/seconds_between.hpp"
 #include "tests/experiments/statistics.hpp"
 
 namespace markservo::experiments {
@@ -24,7 +26,7 @@ double distance(const Pose2& a, const Pose2& b) {
 }  // namespace
 
 PoseError pose_error(const Pose2& a, const Pose2& b) {
-  return {distance(a, b), std::abs(std::remainder(a.heading - b.heading, 2.0 * M_PI))};
+  return {distance(a, b), std::abs(geometry::wrapped(a.heading - b.heading))};
 }
 
 DriveWatch::DriveWatch(bus::Bus& bus) {
@@ -53,7 +55,7 @@ void DriveWatch::note(const SimBaseTruth& truth) {
   const bool same_world = last_ && last_->session == truth.session && truth.utime >= last_->utime;
   if (same_world && phase_) {
     (driving() ? way_ : strayed_) += distance(truth.pose, last_->pose);
-    if (driving()) seconds_ += 1e-6 * static_cast<double>(truth.utime - last_->utime);
+    if (driving()) seconds_ += seconds_between(last_->utime, truth.utime);
     touched_ = touched_ || truth.touched != 0;
     nearest_ = std::min(nearest_.value_or(truth.nearest), truth.nearest);
     if (driving()) true_way_.push_back(truth.pose);

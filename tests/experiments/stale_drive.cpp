@@ -6,6 +6,9 @@
 #include <markservo/BaseGoal.hpp>
 #include <markservo/RobotPose.hpp>
 
+#include "common/geometry/plane_pose.hpp"
+#include "common/time/seconds_between.hpp"
+
 namespace markservo::experiments {
 namespace {
 
@@ -43,11 +46,11 @@ void SilenceWatch::observe(const SimBaseTruth& truth) {
     rest_age_.reset();
   }
   if (same_world && newest_) {
-    const double age = 1e-6 * static_cast<double>(truth.utime - *newest_);
+    const double age = seconds_between(*newest_, truth.utime);
     if (drove_) longest_ = std::max(longest_, age);
-    if (rest_age_ && 1e-6 * static_cast<double>(last_->utime - *newest_) > *rest_age_) {
+    if (rest_age_ && seconds_between(*newest_, last_->utime) > *rest_age_) {
       moved_ += std::hypot(truth.pose.x - last_->pose.x, truth.pose.y - last_->pose.y);
-      turned_ += std::abs(std::remainder(truth.pose.heading - last_->pose.heading, 2.0 * M_PI));
+      turned_ += std::abs(geometry::wrapped(truth.pose.heading - last_->pose.heading));
     }
     if (!rest_age_ && age >= limits_.age) {
       rest_age_ = age + limits_.margin +

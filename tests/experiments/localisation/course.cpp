@@ -11,7 +11,7 @@
 namespace markservo::experiments {
 namespace {
 
-using simulator::PlanarPose;
+using geometry::PlanePose;
 using simulator::RandomBits;
 
 constexpr std::uint64_t kPlanStream = 0xC1;
@@ -34,7 +34,7 @@ Eigen::Vector2d direction(double heading) {
   return {std::cos(heading), std::sin(heading)};
 }
 
-PlanarPose pose_at(const Eigen::Vector2d& p, double heading) {
+PlanePose pose_at(const Eigen::Vector2d& p, double heading) {
   return {p.x(), p.y(), heading};
 }
 
@@ -104,7 +104,7 @@ class CourseControl {
     behind_ += (speed_ - truth.speed) * dt;
     if (wanted == 0.0 && speed_ == 0.0) return {0.0, 0.0};
 
-    const PlanarPose& start = plan_.start;
+    const PlanePose& start = plan_.start;
     const Eigen::Vector2d p(truth.pose.x, truth.pose.y);
     const Eigen::Vector2d begin(start.x, start.y);
     double heading = start.heading;
@@ -119,7 +119,7 @@ class CourseControl {
     } else {
       left_of_course = (p - begin).dot(direction(start.heading + M_PI / 2.0));
     }
-    const double heading_error = wrapped(truth.pose.heading - heading);
+    const double heading_error = geometry::wrapped(truth.pose.heading - heading);
     const double turn = speed_ * curvature - kNatural * kNatural / std::max(speed_, kLeastSpeed) * left_of_course -
                         2.0 * kNatural * heading_error;
     return {speed_ + kAlongGain * behind_, turn};

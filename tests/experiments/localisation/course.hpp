@@ -26,7 +26,7 @@ struct SpeedChange {
 };
 
 struct CoursePlan {
-  simulator::PlanarPose start;      // X_WR, at rest
+  geometry::PlanePose start;        // X_WR, at rest
   double radius = 0.0;              // m, of a circle to the left; 0: straight on
   std::vector<SpeedChange> speeds;  // the first one at 0 s
   double duration = 0.0;            // s

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "common/geometry/plane_pose.hpp"
+
 namespace markservo::experiments {
 namespace {
 
@@ -50,7 +52,7 @@ LiveScore score_live(const std::vector<PoseEstimate>& estimates, const TruePath&
     const PoseEstimate estimate = moved_on(*last, time);
     const PathPoint truth = path.at(time);
     Eigen::Vector3d error;
-    error << estimate.p_WR - truth.p_WR, wrapped(estimate.heading - truth.heading);
+    error << estimate.p_WR - truth.p_WR, geometry::wrapped(estimate.heading - truth.heading);
     const double radial = error.head<2>().norm();
     score.all.push_back(radial);
     if (time < settled_from - kSameTime) continue;

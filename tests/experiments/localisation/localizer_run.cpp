@@ -17,10 +17,9 @@ std::vector<std::string> words(const Told& told) {
     result.push_back(option);
     result.push_back(std::to_string(value));
   };
-  constexpr double kDegrees = 180.0 / M_PI;
   if (told.start_heading) {
-    add("--start-heading", wrapped(*told.start_heading) * kDegrees);
-    add("--start-heading-sigma", told.start_heading_sigma * kDegrees);
+    add("--start-heading", geometry::degrees(geometry::wrapped(*told.start_heading)));
+    add("--start-heading-sigma", geometry::degrees(told.start_heading_sigma));
   }
   if (told.delay_sigma) add("--delay-sigma", *told.delay_sigma);
   return result;

@@ -38,15 +38,10 @@ class LogWriter {
 };
 
 SimBaseTruth truth_message(const PathPoint& truth, std::int64_t utime, std::int64_t seq) {
-  SimBaseTruth message{};
-  message.utime = utime;
+  SimBaseTruth message = simulator::base_truth_message(
+      {{truth.p_WR.x(), truth.p_WR.y(), truth.heading}, truth.speed, truth.turn_rate}, utime, seq);
   message.session = kSession;
-  message.seq = message.odometry_seq = seq;
-  message.pose.x = truth.p_WR.x();
-  message.pose.y = truth.p_WR.y();
-  message.pose.heading = truth.heading;
-  message.speed = truth.speed;
-  message.turn_rate = truth.turn_rate;
+  message.seq = seq;
   return message;
 }
 

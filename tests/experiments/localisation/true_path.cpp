@@ -6,6 +6,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "common/geometry/plane_pose.hpp"
+
 namespace markservo::experiments {
 
 Eigen::Vector2d PathPoint::at(const Eigen::Vector2d& p_R) const {
@@ -16,7 +18,7 @@ TruePath::TruePath(std::vector<PathPoint> points) : points_(std::move(points)) {
   if (points_.size() < 2) throw std::invalid_argument("TruePath: fewer than two points");
   for (std::size_t i = 1; i < points_.size(); ++i) {
     if (!(points_[i].time > points_[i - 1].time)) throw std::invalid_argument("TruePath: times that do not rise");
-    points_[i].heading = points_[i - 1].heading + wrapped(points_[i].heading - points_[i - 1].heading);
+    points_[i].heading = points_[i - 1].heading + geometry::wrapped(points_[i].heading - points_[i - 1].heading);
   }
 }
 
@@ -41,10 +43,6 @@ PathPoint TruePath::at(double time) const {
   point.speed = a.speed + share * (b.speed - a.speed);
   point.turn_rate = a.turn_rate + share * (b.turn_rate - a.turn_rate);
   return point;
-}
-
-double wrapped(double angle) {
-  return std::remainder(angle, 2.0 * M_PI);
 }
 
 }  // namespace markservo::experiments

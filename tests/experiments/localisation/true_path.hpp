@@ -33,7 +33,4 @@ class TruePath {
   std::vector<PathPoint> points_;
 };
 
-// The angle in (-pi, pi] that `angle` is.
-double wrapped(double angle);
-
 }  // namespace markservo::experiments

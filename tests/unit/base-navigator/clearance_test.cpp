@@ -10,6 +10,8 @@
 namespace markservo::base_navigator {
 namespace {
 
+using geometry::PlanePose;
+
 const Outline kOutline{0.22, 0.18, 0.18};
 const std::vector<WayPose> kAhead = straight_way(Direction::kForward, 0.03, 1.5);
 const std::vector<WayPose> kBack = straight_way(Direction::kBackward, 0.03, 1.5);

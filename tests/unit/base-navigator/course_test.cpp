@@ -9,6 +9,8 @@
 namespace markservo::base_navigator {
 namespace {
 
+using geometry::PlanePose;
+
 const CourseParameters kCourse;
 
 PlanePose end_of(const PlanePose& X_GR, Direction direction) {

@@ -9,6 +9,8 @@
 namespace markservo::base_navigator::test {
 namespace {
 
+using geometry::PlanePose;
+
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
 TEST(Drive, DocksAMetreAheadAtTwelveCentimetres) {

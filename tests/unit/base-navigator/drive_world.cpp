@@ -7,6 +7,8 @@
 namespace markservo::base_navigator::test {
 namespace {
 
+using geometry::PlanePose;
+
 double distance_to_wall(const Outline& outline, const PlanePose& X_RW, const Wall& wall) {
   // Fine enough: outline against points every 5 mm of the wall.
   const Eigen::Vector2d a = X_RW * wall.a;
@@ -113,9 +115,8 @@ SonarScanSample DriveWorld::scan() {
   scan.max_range = ring.max_range;
   scan.beam_width = ring.beam_width;
   for (int i = 0; i < ring.number; ++i) {
-    const double direction = ring.direction(i);
     SonarReading reading;
-    reading.X_RS = {ring.ring_radius * std::cos(direction), ring.ring_radius * std::sin(direction), direction};
+    reading.X_RS = ring.pose(i);
     double nearest = std::numeric_limits<double>::infinity();
     for (int k = 0; k < kRays; ++k) {
       nearest = std::min(nearest, ray(X_WR * reading.X_RS, ring.beam_width * (k / (kRays - 1.0) - 0.5)));

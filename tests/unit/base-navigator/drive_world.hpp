@@ -52,7 +52,7 @@ class DriveWorld {
   double nearest() const;
 
   std::vector<Wall> walls;
-  PlanePose X_WR;  // the truth
+  geometry::PlanePose X_WR;  // the truth
   double speed = 0.0;
   double turn_rate = 0.0;
   std::int64_t utime = 1'700'000'000'000'000;
@@ -62,13 +62,13 @@ class DriveWorld {
 
  private:
   double shrunk() const;
-  double ray(const PlanePose& X_WS, double angle) const;
+  double ray(const geometry::PlanePose& X_WS, double angle) const;
 
   robot::RobotDescription robot_;
   WorldSettings settings_;
   std::mt19937_64 random_;
   std::deque<Command> commands_;
-  PlanePose pose_error_;  // in R
+  geometry::PlanePose pose_error_;  // in R
   double left_ = 0.0;
   double right_ = 0.0;
   double stood_ = 0.0;  // s

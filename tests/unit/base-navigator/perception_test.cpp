@@ -11,6 +11,8 @@
 namespace markservo::base_navigator::test {
 namespace {
 
+using geometry::wrapped;
+
 constexpr std::int64_t kStart = 1'700'000'000'000'000;
 const OdometryParameters kOdometry = [] {
   OdometryParameters parameters;

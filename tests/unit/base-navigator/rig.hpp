@@ -28,7 +28,7 @@ class Rig {
     navigator.observe_stop(false, "", state);
   }
 
-  static Goal goal_at(const PlanePose& X_WG, double clearance = 0.0, std::int64_t id = 1) {
+  static Goal goal_at(const geometry::PlanePose& X_WG, double clearance = 0.0, std::int64_t id = 1) {
     Goal goal;
     goal.session = 5;
     goal.id = id;
@@ -76,8 +76,10 @@ class Rig {
     return std::numeric_limits<double>::infinity();
   }
 
-  double distance_to(const PlanePose& X_WG) const { return (world.X_WR.inverse() * X_WG).distance(); }
-  double heading_error_to(const PlanePose& X_WG) const { return std::abs(wrapped(X_WG.heading - world.X_WR.heading)); }
+  double distance_to(const geometry::PlanePose& X_WG) const { return (world.X_WR.inverse() * X_WG).distance(); }
+  double heading_error_to(const geometry::PlanePose& X_WG) const {
+    return std::abs(geometry::wrapped(X_WG.heading - world.X_WR.heading));
+  }
 
   static int steps_in(double seconds) { return static_cast<int>(std::lround(seconds / 0.02)); }
 

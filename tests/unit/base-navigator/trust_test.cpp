@@ -7,6 +7,8 @@
 namespace markservo::base_navigator::test {
 namespace {
 
+using geometry::PlanePose;
+
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
 class UnderWay : public testing::Test {

@@ -37,7 +37,7 @@ double Scored::error() const {
 }
 
 double Scored::heading_error() const {
-  return std::abs(unwrapped(estimate.pose.pose[2] - truth.pose.heading, 0.0));
+  return std::abs(geometry::wrapped(estimate.pose.pose[2] - truth.pose.heading));
 }
 
 double Scored::sigma() const {
@@ -47,7 +47,7 @@ double Scored::sigma() const {
 
 double Scored::nees() const {
   const Eigen::Vector3d d(estimate.pose.pose[0] - truth.pose.x, estimate.pose.pose[1] - truth.pose.y,
-                          unwrapped(estimate.pose.pose[2] - truth.pose.heading, 0.0));
+                          geometry::wrapped(estimate.pose.pose[2] - truth.pose.heading));
   return d.dot(estimate.pose.covariance.inverse() * d);
 }
 
@@ -68,7 +68,7 @@ void Drive::go(double time, double speed, double turn_rate) {
   }
 }
 
-void Drive::carry_to(const simulator::PlanarPose& pose) {
+void Drive::carry_to(const geometry::PlanePose& pose) {
   left_before_ = last_ticks_.left;
   right_before_ = last_ticks_.right;
   const std::int64_t utime = rig_->utime();

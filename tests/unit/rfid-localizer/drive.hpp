@@ -19,7 +19,7 @@ struct DriveSettings {
   robot::RobotDescription robot = the_robot();
   simulator::BaseRigParameters rig;
   LocalizerParameters localizer;  // survey_sigma is robot.yaml's
-  simulator::PlanarPose start{0.2, 0.0, kUp};
+  geometry::PlanePose start{0.2, 0.0, kUp};
   std::uint64_t seed = 1;
   bool encoders = true;
 };
@@ -46,7 +46,7 @@ class Drive {
   void stand(double time) { go(time, 0.0); }
 
   // The robot stands elsewhere; its counters do not notice.
-  void carry_to(const simulator::PlanarPose& pose);
+  void carry_to(const geometry::PlanePose& pose);
 
   // Whether the localiser hears of them.
   void set_encoders(bool on) { encoders_ = on; }

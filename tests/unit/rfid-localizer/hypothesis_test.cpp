@@ -17,12 +17,6 @@ Hypothesis gaussian(double weight, double x, double heading, double variance = 1
   return one;
 }
 
-TEST(Unwrapped, TurnsAnAngleToWithinHalfATurnOfAnother) {
-  EXPECT_NEAR(unwrapped(3.5, 0.0), 3.5 - 2.0 * M_PI, 1e-12);
-  EXPECT_NEAR(unwrapped(-3.0, 3.0), 2.0 * M_PI - 3.0, 1e-12);
-  EXPECT_NEAR(unwrapped(0.1 + 20.0 * M_PI, 0.0), 0.1, 1e-12);
-}
-
 TEST(Moments, OfTwoGaussiansAreThoseByHand) {
   Hypothesis a = gaussian(1.0, 0.0, 0.0, 0.01);
   Hypothesis b = gaussian(3.0, 2.0, 0.0, 0.04);

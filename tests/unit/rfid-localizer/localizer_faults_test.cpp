@@ -176,7 +176,7 @@ TEST(Localizer, KnowsTheAntennasPlaceAcrossTheEncodersDeathWhereverItIs) {
     while (drive.localizer().has_wheels()) drive.stand(0.05);
     const Scored now = drive.now();
     const double heading = now.estimate.pose.pose[2];
-    const simulator::PlanarPose believed{now.estimate.pose.pose[0], now.estimate.pose.pose[1], heading};
+    const geometry::PlanePose believed{now.estimate.pose.pose[0], now.estimate.pose.pose[1], heading};
     const Eigen::Vector2d p_RF = settings.robot.rfid->p_RF;
     EXPECT_LT((believed * p_RF - now.truth.pose * p_RF).norm(), 0.04) << seed;
     EXPECT_LT(now.error(), 4.0 * now.sigma()) << seed;

@@ -38,8 +38,8 @@ TEST_F(BaseSections, OfTheProjectAreAccepted) {
   ASSERT_TRUE(robot.base && robot.sonars && robot.rfid && robot.floor_tags);
   EXPECT_NEAR(robot.base->metres_per_tick(), 2.0 * M_PI * 0.0825 / 4096.0, 1e-12);
   EXPECT_NEAR(robot.base->turn_rate_max, M_PI, 1e-12);
-  EXPECT_NEAR(robot.sonars->direction(0), 0.0, 1e-12);
-  EXPECT_NEAR(robot.sonars->direction(4), M_PI / 2.0, 1e-12) << "to the left";
+  EXPECT_NEAR(robot.sonars->pose(0).heading, 0.0, 1e-12);
+  EXPECT_NEAR(robot.sonars->pose(4).heading, M_PI / 2.0, 1e-12) << "to the left";
   EXPECT_NEAR(robot.rfid->delay, 0.19, 1e-12);
 }
 

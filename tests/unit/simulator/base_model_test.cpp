@@ -23,7 +23,7 @@ BaseModelParameters ideal() {
   return parameters;
 }
 
-BaseModel ideal_base(const PlanarPose& start = {}) {
+BaseModel ideal_base(const geometry::PlanePose& start = {}) {
   return {test_base(), ideal(), start, 1};
 }
 
@@ -53,7 +53,7 @@ TEST(BaseModel, AConstantTurnClosesTheCircle) {
   BaseModel base = ideal_base();
   base.command(0.3, 1.0);
   wait(base, 1.0);  // up to speed
-  const PlanarPose begin = base.pose();
+  const geometry::PlanePose begin = base.pose();
   double turned = 0.0;
   double farthest = 0.0;
   while (turned < 2.0 * M_PI - 0.5 * kStep_s) {
@@ -69,7 +69,7 @@ TEST(BaseModel, OneLongStepEndsWhereManyShortOnesDo) {
   BaseModel base = ideal_base();
   base.command(0.3, 1.0);
   wait(base, 1.0);  // up to speed
-  const PlanarPose begin = base.pose();
+  const geometry::PlanePose begin = base.pose();
   base.step(1.5);
   const Eigen::Vector2d middle = begin * Eigen::Vector2d(0.0, 0.3 / 1.0);
   const Eigen::Vector2d arm = Eigen::Vector2d(base.pose().x, base.pose().y) - middle;

@@ -132,7 +132,7 @@ TEST(DrivenSimulation, TheWorldFollowsTheBase) {
     next_odometry(simulation, seq);
     go(simulation, seq);
   }
-  const PlanarPose pose = simulation.base_truth().base.pose;
+  const geometry::PlanePose pose = simulation.base_truth().base.pose;
   EXPECT_GT(pose.y, 0.3);
   const Eigen::Vector3d p_CM = mark_of(simulation.world().truth(), "red_book").p_CM;
   // The mark in W is 0.35 m ahead of the docked R's origin.

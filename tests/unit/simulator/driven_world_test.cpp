@@ -13,12 +13,12 @@ namespace {
 using Eigen::Vector3d;
 
 // Drives evenly speeding up and slowing down from `from` by `way` along its heading (m; below 0: backwards).
-PlanarPose drive(World& world, const PlanarPose& from, double way) {
+geometry::PlanePose drive(World& world, const geometry::PlanePose& from, double way) {
   constexpr double kAcceleration = 0.8;  // m/s2, the robot's own
   constexpr double kSpeed = 0.4;         // m/s
   double done = 0.0;
   double speed = 0.0;
-  PlanarPose pose = from;
+  geometry::PlanePose pose = from;
   while (done < std::abs(way)) {
     const double stoppable = std::sqrt(2.0 * kAcceleration * (std::abs(way) - done));
     speed = std::min({speed + kAcceleration * kTimeStep, kSpeed, std::max(stoppable, 0.002)});
@@ -31,7 +31,7 @@ PlanarPose drive(World& world, const PlanarPose& from, double way) {
   return pose;
 }
 
-PlanarPose dock() {
+geometry::PlanePose dock() {
   return test_scene().dock.X_WD();
 }
 
@@ -67,7 +67,7 @@ TEST(DrivenWorld, ARobotThatTurnsLeftHasTheBooksFartherRight) {
 TEST(DrivenWorld, TheArmStaysAsItIsWhileItsBaseDrives) {
   World world = test_world(test_settings({{"base.start_y", 0.05}}));
   const WorldTruth before = world.truth();
-  PlanarPose pose{0.20, 0.05, dock().heading};
+  geometry::PlanePose pose{0.20, 0.05, dock().heading};
   for (int i = 0; i < 10; ++i) {
     pose = drive(world, pose, 0.05);
     EXPECT_LT((world.truth().p_CG - before.p_CG).norm(), 2e-5);
@@ -101,7 +101,7 @@ TEST(DrivenWorld, AGrippedBookIsCarriedAlong) {
   take_the_book(world);
   wait(world, 0.5);
   const Vector3d held = body_of(world.truth(), "red_book").X_CB.translation();
-  PlanarPose pose = drive(world, dock(), -0.4);
+  geometry::PlanePose pose = drive(world, dock(), -0.4);
   for (int i = 0; i < 500; ++i) {
     pose.heading += 0.0005;
     world.move_base(pose);
@@ -136,7 +136,7 @@ TEST(DrivenWorld, TheDockedOutlineKeepsItsDistanceFromCabinetAndTable) {
 
 TEST(DrivenWorld, ClearanceShrinksToNothingAtTheCabinet) {
   World world = test_world(test_settings());
-  PlanarPose pose = drive(world, dock(), 0.10);
+  geometry::PlanePose pose = drive(world, dock(), 0.10);
   EXPECT_NEAR(world.clearance(), 0.066, 1e-9);
   drive(world, pose, 0.07);
   EXPECT_EQ(world.clearance(), 0.0);

@@ -36,7 +36,7 @@ const Eigen::Vector2d& place_of(const std::string& uid) {
 }
 
 // The robot stands at `pose` for `rounds` rounds; all answers of that time.
-std::vector<TagRound> stand(RfidReaderModel& reader, const PlanarPose& pose, int rounds) {
+std::vector<TagRound> stand(RfidReaderModel& reader, const geometry::PlanePose& pose, int rounds) {
   std::vector<TagRound> answers;
   for (std::int64_t utime = kBegin; utime <= kBegin + rounds * 100'000 + 400'000; utime += 2'000) {
     reader.observe(utime, pose);

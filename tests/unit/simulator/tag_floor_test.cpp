@@ -29,9 +29,9 @@ TEST(TagFloor, FindsTheSameTagsNearAPointAsALookAtAllOfThem) {
   for (const Eigen::Vector2d& p : {Eigen::Vector2d(1.23, 2.34), Eigen::Vector2d(-0.1, 0.02), Eigen::Vector2d(9.0, 9.0),
                                    Eigen::Vector2d(0.249, 0.251)}) {
     for (const double radius : {0.0, 0.07, 0.21, 0.9}) {
-      std::vector<std::size_t> expected;
+      std::vector<int> expected;
       for (std::size_t i = 0; i < floor.tags().size(); ++i) {
-        if ((floor.tags()[i].p_W - p).norm() <= radius) expected.push_back(i);
+        if ((floor.tags()[i].p_W - p).norm() <= radius) expected.push_back(static_cast<int>(i));
       }
       EXPECT_EQ(floor.near(p, radius), expected) << p.transpose() << ", radius " << radius;
     }

@@ -10,7 +10,7 @@
 namespace markservo::task_manager {
 namespace {
 
-const FloorPose kDock{0.2, 1.05, M_PI / 2};
+const geometry::PlanePose kDock{0.2, 1.05, M_PI / 2};
 
 // A robot 1 m before the dock, from which the book is in the workspace's middle.
 FakeRobot robot_before_the_dock() {

@@ -41,7 +41,7 @@ void FakeRobot::send(CommandKind kind, const std::string& target, bool carry) {
   send_again();
 }
 
-void FakeRobot::send_drive(const FloorPose& pose, const std::string& target) {
+void FakeRobot::send_drive(const geometry::PlanePose& pose, const std::string& target) {
   send(CommandKind::kStart, target);
   commands_.back().drive_pose = command_.drive_pose = pose;
 }

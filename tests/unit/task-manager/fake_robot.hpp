@@ -33,14 +33,14 @@ class FakeRobot {
   std::string unreachable;  // servoing cannot go on, and why
   StopReport stop{true, false, ""};
   std::int64_t arm_session = 7;
-  FloorPose base_pose{0.2, 0.05, M_PI / 2};  // X_WR
-  bool base_answers = true;                  // false: no BASE_STATUS any more
-  std::optional<BaseState> base_stuck;       // what base-navigator says instead of driving
+  geometry::PlanePose base_pose{0.2, 0.05, M_PI / 2};  // X_WR
+  bool base_answers = true;                            // false: no BASE_STATUS any more
+  std::optional<BaseState> base_stuck;                 // what base-navigator says instead of driving
   std::string base_reason;
   double base_drift = 0.0;  // m, by which it stops short of a goal in W
 
   // START with a drive.
-  void send_drive(const FloorPose& pose, const std::string& target = "red_book");
+  void send_drive(const geometry::PlanePose& pose, const std::string& target = "red_book");
   void send(CommandKind kind, const std::string& target = "", bool carry = false);
   void send_again();  // the last command, repeated
 
@@ -102,7 +102,7 @@ class FakeRobot {
   double way_ = 0.0;
   int goals_sent_ = 0;
   DriveGoal drive_goal_;
-  FloorPose base_goal_;  // X_WR
+  geometry::PlanePose base_goal_;  // X_WR
   int drive_goals_sent_ = 0;
   double way_of_base_ = 0.0;
   std::string reckless_;

@@ -5,7 +5,15 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace markservo::base_navigator {
+namespace markservo::geometry {
+
+inline constexpr double radians(double degrees) {
+  return degrees * M_PI / 180.0;
+}
+
+inline constexpr double degrees(double radians) {
+  return radians * 180.0 / M_PI;
+}
 
 // rad, the same direction within -pi to pi.
 inline double wrapped(double angle) {
@@ -15,7 +23,7 @@ inline double wrapped(double angle) {
 struct PlanePose {
   double x = 0.0;        // m
   double y = 0.0;        // m
-  double heading = 0.0;  // rad, of the x axis, counter-clockwise
+  double heading = 0.0;  // rad, of the x axis, counter-clockwise from above
 
   Eigen::Vector2d position() const { return {x, y}; }
   double distance() const { return std::hypot(x, y); }
@@ -28,6 +36,11 @@ struct PlanePose {
   }
 };
 
+// The same from a heading in degrees, as files and options have it.
+inline PlanePose pose_from_degrees(double x, double y, double heading_deg) {
+  return {x, y, radians(heading_deg)};
+}
+
 // p_A of a p_B.
 inline Eigen::Vector2d operator*(const PlanePose& X_AB, const Eigen::Vector2d& p_B) {
   const double c = std::cos(X_AB.heading);
@@ -35,9 +48,17 @@ inline Eigen::Vector2d operator*(const PlanePose& X_AB, const Eigen::Vector2d& p
   return {X_AB.x + c * p_B.x() - s * p_B.y(), X_AB.y + s * p_B.x() + c * p_B.y()};
 }
 
+// The heading of the result is wrapped.
 inline PlanePose operator*(const PlanePose& X_AB, const PlanePose& X_BC) {
   const Eigen::Vector2d p_A = X_AB * X_BC.position();
   return {p_A.x(), p_A.y(), wrapped(X_AB.heading + X_BC.heading)};
 }
 
-}  // namespace markservo::base_navigator
+// m, straight from begin to end of an arc of length `way` (m) that turns by `turn` (rad); it points half the turn
+// aside.
+inline double chord(double way, double turn) {
+  const double half = 0.5 * turn;
+  return std::abs(half) < 1e-9 ? way : way * std::sin(half) / half;
+}
+
+}  // namespace markservo::geometry

@@ -1,0 +1,180 @@
+#include "common/reflection/lcm_language.hpp"
+
+#include <cctype>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace markservo::reflection {
+namespace {
+
+const std::map<std::string, Kind>& primitives() {
+  static const std::map<std::string, Kind> kinds = {
+      {"int8_t", Kind::kInt8},   {"int16_t", Kind::kInt16},   {"int32_t", Kind::kInt32},
+      {"int64_t", Kind::kInt64}, {"byte", Kind::kByte},       {"float", Kind::kFloat},
+      {"double", Kind::kDouble}, {"boolean", Kind::kBoolean}, {"string", Kind::kString}};
+  return kinds;
+}
+
+bool is_word(char character) {
+  return std::isalnum(static_cast<unsigned char>(character)) != 0 || character == '_' || character == '.';
+}
+
+// Words, and everything else character by character; comments are left out.
+class Tokens {
+ public:
+  Tokens(const std::string& text, std::string origin) : text_(text), origin_(std::move(origin)) { advance(); }
+
+  const std::string& now() const { return token_; }  // empty: the end
+  std::string take() {
+    std::string token = token_;
+    if (token.empty()) complain("the text ends", "more of a type");
+    advance();
+    return token;
+  }
+  bool take_if(const std::string& wanted) {
+    if (token_ != wanted) return false;
+    advance();
+    return true;
+  }
+  void expect(const std::string& wanted) {
+    if (!take_if(wanted)) complain("'" + token_ + "'", "'" + wanted + "'");
+  }
+  std::string name() {
+    if (token_.empty() || std::isalpha(static_cast<unsigned char>(token_[0])) + (token_[0] == '_') == 0) {
+      complain("'" + token_ + "'", "a name");
+    }
+    return take();
+  }
+  [[noreturn]] void complain(const std::string& what, const std::string& allowed) const {
+    throw std::invalid_argument(origin_ + ":" + std::to_string(line_) + ": " + what + "; allowed here: " + allowed);
+  }
+
+ private:
+  void skip_to(const std::string& end) {
+    while (at_ < text_.size() && text_.compare(at_, end.size(), end) != 0) step();
+    for (std::size_t i = 0; i < end.size() && at_ < text_.size(); ++i) step();
+  }
+  void step() {
+    if (text_[at_] == '\n') ++line_;
+    ++at_;
+  }
+  void advance() {
+    while (at_ < text_.size()) {
+      if (text_.compare(at_, 2, "//") == 0) {
+        skip_to("\n");
+      } else if (text_.compare(at_, 2, "/*") == 0) {
+        skip_to("*/");
+      } else if (std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
+        step();
+      } else {
+        break;
+      }
+    }
+    token_.clear();
+    if (at_ >= text_.size()) return;
+    if (!is_word(text_[at_])) {
+      token_ = text_[at_++];
+      return;
+    }
+    while (at_ < text_.size() && is_word(text_[at_])) token_ += text_[at_++];
+  }
+
+  const std::string& text_;
+  std::string origin_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+  std::string token_;
+};
+
+int field_index(const MessageType& type, const std::string& name) {
+  for (std::size_t i = 0; i < type.fields.size(); ++i) {
+    if (type.fields[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+bool counts(const Field& field) {
+  return field.dimensions.empty() && (field.kind == Kind::kInt8 || field.kind == Kind::kInt16 ||
+                                      field.kind == Kind::kInt32 || field.kind == Kind::kInt64);
+}
+
+Dimension parse_dimension(Tokens& tokens, const MessageType& type) {
+  constexpr std::size_t kMostDigits = 9;  // of a constant size: arrays beyond that are no message
+  Dimension dimension;
+  dimension.text = tokens.take();
+  if (dimension.text.find_first_not_of("0123456789") == std::string::npos && dimension.text.size() <= kMostDigits) {
+    dimension.size = std::stoll(dimension.text);
+  } else {
+    dimension.length_field = field_index(type, dimension.text);
+    if (dimension.length_field < 0 || !counts(type.fields[static_cast<std::size_t>(dimension.length_field)])) {
+      tokens.complain("array size '" + dimension.text + "'", "a whole number or an integer field before it");
+    }
+  }
+  tokens.expect("]");
+  return dimension;
+}
+
+void parse_fields(Tokens& tokens, MessageType& type) {
+  const std::string type_name = tokens.name();
+  const auto primitive = primitives().find(type_name);
+  do {
+    Field field;
+    field.name = tokens.name();
+    field.kind = primitive != primitives().end() ? primitive->second : Kind::kMessage;
+    field.type_name = type_name;
+    if (field.kind == Kind::kMessage && type_name.find('.') == std::string::npos && !type.package.empty()) {
+      field.type_name = type.package + "." + type_name;
+    }
+    if (field_index(type, field.name) >= 0) tokens.complain("a second field '" + field.name + "'", "a new name");
+    while (tokens.take_if("[")) field.dimensions.push_back(parse_dimension(tokens, type));
+    type.fields.push_back(std::move(field));
+  } while (tokens.take_if(","));
+  tokens.expect(";");
+}
+
+// Constants are no part of a message's bytes.
+void skip_constant(Tokens& tokens) {
+  while (!tokens.take_if(";")) tokens.take();
+}
+
+MessageType parse_struct(Tokens& tokens, const std::string& package) {
+  MessageType type;
+  type.package = package;
+  type.name = tokens.name();
+  const std::size_t dot = type.name.rfind('.');
+  if (dot != std::string::npos) {
+    type.package = type.name.substr(0, dot);
+    type.name.erase(0, dot + 1);
+  }
+  tokens.expect("{");
+  while (!tokens.take_if("}")) {
+    if (tokens.take_if("const")) {
+      skip_constant(tokens);
+    } else if (!tokens.take_if(";")) {
+      parse_fields(tokens, type);
+    }
+  }
+  return type;
+}
+
+}  // namespace
+
+std::vector<MessageType> parse_types(const std::string& text, const std::string& origin) {
+  Tokens tokens(text, origin);
+  std::vector<MessageType> types;
+  std::string package;
+  while (!tokens.now().empty()) {
+    if (tokens.take_if("package")) {
+      package = tokens.name();
+      tokens.expect(";");
+    } else if (tokens.take_if("struct")) {
+      types.push_back(parse_struct(tokens, package));
+    } else if (!tokens.take_if(";")) {
+      tokens.complain("'" + tokens.now() + "'", "package or struct");
+    }
+  }
+  return types;
+}
+
+}  // namespace markservo::reflection

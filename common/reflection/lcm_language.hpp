@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/reflection/message_type.hpp"
+
+namespace markservo::reflection {
+
+// The message types that a text in LCM's type language defines, in its order (the language: LCM's "Type Specification
+// Language" manual page; struct, const, arrays, nested types; no enum, which LCM has deprecated). Nested types are
+// named, not resolved. Throws std::invalid_argument with `origin`, line, what and what is allowed.
+std::vector<MessageType> parse_types(const std::string& text, const std::string& origin);
+
+}  // namespace markservo::reflection

@@ -1,0 +1,84 @@
+#include "common/reflection/value_text.hpp"
+
+#include <charconv>
+#include <type_traits>
+
+namespace markservo::reflection {
+namespace {
+
+void add_leaves(const std::string& path, const Value& value, std::vector<Leaf>& leaves);
+
+void add_leaves(const std::string& path, const Fields& fields, std::vector<Leaf>& leaves) {
+  for (std::size_t i = 0; i < fields.values.size(); ++i) {
+    add_leaves((path.empty() ? "" : path + ".") + fields.type->fields[i].name, fields.values[i], leaves);
+  }
+}
+
+void add_leaves(const std::string& path, const Value& value, std::vector<Leaf>& leaves) {
+  if (const auto* list = std::get_if<List>(&value.content)) {
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      add_leaves(path + "[" + std::to_string(i) + "]", (*list)[i], leaves);
+    }
+  } else if (const auto* fields = std::get_if<Fields>(&value.content)) {
+    add_leaves(path, *fields, leaves);
+  } else {
+    leaves.push_back({path, value});
+  }
+}
+
+std::string number_text(double number) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, number);
+  return {text, end.ptr};
+}
+
+nlohmann::ordered_json json_of(const Value& value) {
+  return std::visit(
+      [](const auto& content) -> nlohmann::ordered_json {
+        using Content = std::decay_t<decltype(content)>;
+        if constexpr (std::is_same_v<Content, Bytes>) {
+          return {{"bytes", content.size}};
+        } else if constexpr (std::is_same_v<Content, List>) {
+          auto list = nlohmann::ordered_json::array();
+          for (const Value& element : content) list.push_back(json_of(element));
+          return list;
+        } else if constexpr (std::is_same_v<Content, Fields>) {
+          return reflection::json_of(content);
+        } else {
+          return content;
+        }
+      },
+      value.content);
+}
+
+}  // namespace
+
+std::vector<Leaf> leaves(const Fields& fields) {
+  std::vector<Leaf> found;
+  add_leaves("", fields, found);
+  return found;
+}
+
+std::string text_of(const Value& value) {
+  return std::visit(
+      [](const auto& content) -> std::string {
+        using Content = std::decay_t<decltype(content)>;
+        if constexpr (std::is_same_v<Content, Bytes>) return std::to_string(content.size) + " bytes";
+        if constexpr (std::is_same_v<Content, double>) return number_text(content);
+        if constexpr (std::is_same_v<Content, bool>) return content ? "true" : "false";
+        if constexpr (std::is_same_v<Content, std::int64_t>) return std::to_string(content);
+        if constexpr (std::is_same_v<Content, std::string>) return content;
+        return {};
+      },
+      value.content);
+}
+
+nlohmann::ordered_json json_of(const Fields& fields) {
+  auto object = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < fields.values.size(); ++i) {
+    object[fields.type->fields[i].name] = json_of(fields.values[i]);
+  }
+  return object;
+}
+
+}  // namespace markservo::reflection

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "common/reflection/message_value.hpp"
+
+namespace markservo::reflection {
+
+// One plain value and where it stands in its message.
+struct Leaf {
+  std::string path;  // "marks[2].p_C.x"
+  Value value;       // no list, no fields
+};
+
+// All plain values of a message, in order.
+std::vector<Leaf> leaves(const Fields& fields);
+
+// A plain value as text: numbers so that they read back to the same value, bytes by their number ("614400 bytes").
+std::string text_of(const Value& value);
+
+// The message as JSON, bytes as {"bytes": number}; numbers that JSON cannot hold (NaN, infinite) as null.
+nlohmann::ordered_json json_of(const Fields& fields);
+
+}  // namespace markservo::reflection

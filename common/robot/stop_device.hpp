@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "common/robot/robot_description.hpp"
+
+namespace markservo::robot {
+
+// Throws ConfigurationError unless `device`, the value of --stop-device, is one of the robot's; `robot_file` is where
+// it was read from.
+void require_stop_device(const RobotDescription& robot, const std::string& device, const std::string& robot_file);
+
+}  // namespace markservo::robot

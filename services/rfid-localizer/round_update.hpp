@@ -1,0 +1,55 @@
+#pragma once
+
+// What a round of the reader does to the mixture: every hypothesis is matched with the same reads and silences.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "services/rfid-localizer/hypothesis.hpp"
+#include "services/rfid-localizer/motion.hpp"
+#include "services/rfid-localizer/round_match.hpp"
+#include "services/rfid-localizer/tag_map.hpp"
+#include "services/rfid-localizer/tag_reliability.hpp"
+
+namespace markservo::rfid_localizer {
+
+// A tag of the map that answered.
+struct HeardTag {
+  int tag = 0;
+  std::optional<std::int64_t> moment;  // us, when, if the reader tells it
+};
+
+struct RoundTime {
+  std::int64_t middle = 0;  // us, of the reading
+  std::int64_t length = 0;  // us
+  bool known = false;       // told by the reader; else by the delay, which the round then tells something of
+  double delay = 0.0;       // s, that the middle was told by, unless known
+};
+
+// What stays the same from round to round; all of it must outlive the call.
+struct Floor {
+  const TagMap& map;
+  const ReadModel& model;
+  const TagReliability& reliability;
+};
+
+// What the mixture makes of a tag near one of its hypotheses.
+struct TagTally {
+  int tag = 0;
+  bool read = false;
+  double inside = 0.0;  // probability that it was well inside the footprint, given the round
+  double chance = 0.0;  // probability that it was to be read, before
+};
+
+struct RoundUpdate {
+  Mixture mixture;             // with weights that do not add up to 1
+  double probability = 0.0;    // of what was read and what was not, before
+  std::vector<TagTally> tags;  // near any hypothesis
+};
+
+// `mixture`, of time `mixture_utime` (us) and not empty, after the round in which `heard` answered.
+RoundUpdate update(const Mixture& mixture, std::int64_t mixture_utime, const Motion& motion, const RoundTime& time,
+                   const std::vector<HeardTag>& heard, const Floor& floor, const RoundMatchParameters& parameters);
+
+}  // namespace markservo::rfid_localizer

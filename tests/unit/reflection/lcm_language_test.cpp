@@ -1,0 +1,69 @@
+#include "common/reflection/lcm_language.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "common/reflection/type_catalog.hpp"
+#include "tests/unit/lcmtypes/all_types.hpp"
+
+namespace markservo::reflection {
+namespace {
+
+template <class M>
+class FingerprintOf : public ::testing::Test {};
+TYPED_TEST_SUITE(FingerprintOf, AllTypes);
+
+TYPED_TEST(FingerprintOf, ATypeIsTheOneThatLcmGenComputes) {
+  const MessageType* type = TypeCatalog::ours().find(TypeParam::getTypeName());
+  ASSERT_NE(type, nullptr);
+  EXPECT_EQ(type->fingerprint, static_cast<std::uint64_t>(TypeParam::getHash()));
+  EXPECT_EQ(TypeCatalog::ours().find(type->fingerprint), type);
+}
+
+TEST(TypeCatalog, HasEveryTypeOfTheProjectAndNoOther) {
+  EXPECT_EQ(TypeCatalog::ours().all().size(), static_cast<std::size_t>(40));
+  EXPECT_EQ(TypeCatalog::ours().find(std::uint64_t{1}), nullptr);
+  EXPECT_EQ(TypeCatalog::ours().find("example_t"), nullptr);
+}
+
+TEST(LcmLanguage, UnderstandsCommentsConstantsListsOfFieldsAndConstantSizes) {
+  const auto types = parse_types(
+      "package a.b; /* two\n lines */ struct first_t { const int32_t X = 1, Y = 2; int32_t n, m; // end\n"
+      "double p[n][3]; other_t o; c.third_t t[m]; } struct other_t { byte b; }",
+      "test");
+  ASSERT_EQ(types.size(), 2U);
+  EXPECT_EQ(types[0].full_name(), "a.b.first_t");
+  ASSERT_EQ(types[0].fields.size(), 5U);
+  EXPECT_EQ(types[0].fields[2].dimensions[0].length_field, 0);
+  EXPECT_EQ(types[0].fields[2].dimensions[1].size, 3);
+  EXPECT_EQ(types[0].fields[3].type_name, "a.b.other_t");
+  EXPECT_EQ(types[0].fields[4].type_name, "c.third_t");
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    TypeCatalog(parse_types(text, "x.lcm"));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(LcmLanguage, SaysInWhichLineWhatIsWrong) {
+  EXPECT_EQ(complaint("package a;\nstruct s {\n double x[k];\n}"),
+            "x.lcm:3: array size 'k'; allowed here: a whole number or an integer field before it");
+  EXPECT_EQ(complaint("struct s { double n; double x[n]; }"),
+            "x.lcm:1: array size 'n'; allowed here: a whole number or an integer field before it");
+  EXPECT_EQ(complaint("enum e { A }"), "x.lcm:1: 'enum'; allowed here: package or struct");
+  EXPECT_EQ(complaint("struct s { double 9; }"), "x.lcm:1: '9'; allowed here: a name");
+  EXPECT_EQ(complaint("struct s { double x; double x; }"), "x.lcm:1: a second field 'x'; allowed here: a new name");
+  EXPECT_EQ(complaint("struct s { double x"), "x.lcm:1: ''; allowed here: ';'");
+  EXPECT_EQ(complaint("struct s { const int8_t A = 1"), "x.lcm:1: the text ends; allowed here: more of a type");
+  EXPECT_EQ(complaint("struct s { t x; }"), "type s, field x: type t is not defined");
+  EXPECT_EQ(complaint("struct s { } struct s { }"), "type s is defined twice; allowed: once");
+  EXPECT_EQ(complaint("struct s { s children[2]; }"), "");
+}
+
+}  // namespace
+}  // namespace markservo::reflection
