@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/bus/service.hpp"
-#include "services/bus-bridge/crossing.hpp"
+#include "services/bus-bridge/crossing_options.hpp"
 #include "services/bus-bridge/repeat_filter.hpp"
 
 namespace markservo::bus_bridge {

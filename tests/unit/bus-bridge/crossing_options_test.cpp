@@ -1,4 +1,4 @@
-#include "services/bus-bridge/crossing.hpp"
+#include "services/bus-bridge/crossing_options.hpp"
 
 #include <gtest/gtest.h>
 
