@@ -66,6 +66,7 @@ class SampleBus {
     if (round < 10) {
       markservo::TaskCommand command{};
       command.utime = utime;
+      command.session = 105;
       command.command_id = 1;
       commands_.publish(command);
     }
