@@ -56,8 +56,8 @@ void BusBridgeNode::add_options(CLI::App& app) {
 void BusBridgeNode::configure(const std::string& /*robot_file*/) {}
 
 void BusBridgeNode::start(bus::Bus& bus) {
-  check(crossing_, bus.urls().in);
-  if (bus.urls().out != bus.urls().in) check(crossing_, bus.urls().out);
+  bus_bridge::check(crossing_, bus.urls().in);
+  if (bus.urls().out != bus.urls().in) bus_bridge::check(crossing_, bus.urls().out);
   bus::BusParameters parameters;
   parameters.urls = {crossing_.link_url, crossing_.link_url};
   parameters.service_name = "bus-bridge";
