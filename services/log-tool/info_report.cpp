@@ -1,9 +1,9 @@
 #include "services/log-tool/info_report.hpp"
 
+#include <spdlog/fmt/chrono.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "common/reflection/type_catalog.hpp"
 
@@ -35,11 +35,11 @@ std::string notes(const ChannelSummary& channel) {
 }
 
 std::string utc(std::int64_t utime) {
-  const std::time_t seconds = static_cast<std::time_t>(utime / 1'000'000);
-  std::tm parts{};
-  char text[32] = "?";
-  if (gmtime_r(&seconds, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S UTC", &parts);
-  return text;
+  try {
+    return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(static_cast<std::time_t>(utime / 1'000'000)));
+  } catch (const fmt::format_error&) {
+    return fmt::format("{} us", utime);  // no calendar has that year
+  }
 }
 
 }  // namespace

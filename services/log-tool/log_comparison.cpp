@@ -146,6 +146,10 @@ bool LogComparison::as_recorded() const {
   return std::all_of(channels.begin(), channels.end(), [](const auto& entry) { return entry.second.as_recorded(); });
 }
 
+bool LogComparison::complete() const {
+  return std::all_of(channels.begin(), channels.end(), [](const auto& entry) { return entry.second.complete(); });
+}
+
 LogComparison compare(const std::vector<Event>& recorded, const std::vector<Event>& replayed,
                       const reflection::TypeCatalog& catalog, const ComparisonParameters& parameters) {
   return Comparer(catalog, parameters).run(recorded, replayed);

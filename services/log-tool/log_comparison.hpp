@@ -37,6 +37,7 @@ struct ChannelComparison {
   std::string largest_field;
 
   bool as_recorded() const { return different == 0 && missing == 0; }
+  bool complete() const { return as_recorded() && extra == 0 && outside == 0; }
 };
 
 struct LogComparison {
@@ -44,6 +45,8 @@ struct LogComparison {
   std::optional<FieldDifference> first;               // in the replay's order
 
   bool as_recorded() const;
+  // Each message has its counterpart, too.
+  bool complete() const;
 };
 
 LogComparison compare(const std::vector<Event>& recorded, const std::vector<Event>& replayed,

@@ -37,6 +37,7 @@ struct Options {
   std::string output;
   bool json = false;
   bool exact = false;
+  bool complete = false;
   EventChoice choice;
   ComparisonParameters comparison;
 };
@@ -106,7 +107,8 @@ int compare_logs(const Options& options) {
   }
   const LogComparison comparison = compare(before, now, TypeCatalog::ours(), options.comparison);
   print(comparison_text(comparison, options.comparison));
-  return comparison.as_recorded() ? kGood : kDamagedOrDifferent;
+  const bool same = options.complete ? comparison.complete() : comparison.as_recorded();
+  return same ? kGood : kDamagedOrDifferent;
 }
 
 int splice(const Options& options) {
@@ -183,6 +185,8 @@ int main(int argc, char** argv) {
   sub->add_option("--tolerance", options.comparison.tolerance, "Of numbers, absolute and relative, SI units")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  sub->add_flag("--complete", options.complete,
+                "A message that was not recorded, or recorded only, is a difference too");
   sub->add_flag("--exact", options.exact, "Demand the same sequence of channels and payloads, byte by byte");
 
   sub =

@@ -57,6 +57,7 @@ TEST(LogComparison, CountsWhatTheLiveServiceSkippedAsNoDifference) {
   const LogComparison result = compared({pose(1, 0.5), pose(3, 0.5)}, {pose(1, 0.5), pose(2, 0.5), pose(3, 0.5)});
   EXPECT_EQ(result.channels.at("TARGET_POSE").extra, 1);
   EXPECT_TRUE(result.as_recorded());
+  EXPECT_FALSE(result.complete());
 }
 
 TEST(LogComparison, SeesAnElementMoreAndAnotherType) {
