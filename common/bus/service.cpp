@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <markservo/ServiceStatus.hpp>
 #include <memory>
 #include <sstream>
 
@@ -23,12 +24,15 @@ struct CommonOptions {
   std::string lcm_out;
   std::string log_level = "info";
   bool print_config = false;
+  bool check = false;
 };
 
 void add_common_options(CLI::App& app, CommonOptions& options) {
   app.set_config("--config", "", "Read options from this file (key=value lines, keys as the options' names)");
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.add_flag("--print-config", options.print_config, "Print all settings in force and exit")->configurable(false);
+  app.add_flag("--check", options.check, "Say whether the settings and the files they name are valid, and exit")
+      ->configurable(false);
   app.add_option("--robot-file", options.robot_file, "The robot's description")->capture_default_str();
   app.add_option("--robot", options.robot, "Prefix of all channels, for several robots on one bus");
   app.add_option("--lcm-url", options.lcm_url, "LCM bus to read and write")
@@ -62,6 +66,11 @@ int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const 
     std::cout << app.config_to_str(true, true);
     return kExitStopped;
   }
+  if (options.check) {
+    service.check(options.robot_file);
+    std::cout << info.name << ": the configuration is valid\n";
+    return kExitStopped;
+  }
   service.configure(options.robot_file);
   if (const auto exit_code = service.run_alone()) return *exit_code;
 
@@ -75,7 +84,8 @@ int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const 
   parameters.config_hash = config_hash(app, options.robot_file);
   Bus bus(parameters);
   service.start(bus);
-  bus.set_state("ready");
+  // One that waits for something has said so.
+  if (bus.status().state == kStarting) bus.set_state("ready");
   service.run(bus);
   return kExitStopped;
 }

@@ -31,6 +31,9 @@ class Service {
   // Reads files and checks settings, before any bus. `robot_file` is --robot-file. Throws ConfigurationError.
   virtual void configure(const std::string& robot_file) = 0;
 
+  // What --check does: as configure(), but without taking a device that a running service may hold.
+  virtual void check(const std::string& robot_file) { configure(robot_file); }
+
   // False for a source that only writes: then writing a log needs no bus to read, and is the same in every run.
   virtual bool reads_bus() const { return true; }
 
@@ -44,7 +47,8 @@ class Service {
   virtual void run(Bus& bus) { bus.spin(); }
 };
 
-// Common options: --config, --print-config, --robot-file, --robot, --lcm-url (environment MARKSERVO_LCM_URL), --lcm-in,
+// Common options: --config, --print-config, --check, --robot-file, --robot, --lcm-url (environment MARKSERVO_LCM_URL),
+// --lcm-in,
 // --lcm-out, --log-level. Returns the exit code: 0 stopped, 1 failed, 2 bad configuration, 3 bus unavailable.
 int run_service(const ServiceInfo& info, Service& service, int argc, char** argv);
 

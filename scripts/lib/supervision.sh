@@ -5,11 +5,11 @@
 # ctl ARGUMENT...: supervisorctl of this stack.
 ctl() { supervisorctl -c "$runtime_dir/supervisord.conf" "$@"; }
 
-# is_running: whether this stack's supervisord answers.
-is_running() { [[ -S $runtime_dir/supervisor.sock ]] && ctl pid >/dev/null 2>&1; }
+# supervise ACTION [ARGUMENT...]: the same without supervisorctl's waiting; scripts/lib/supervise explains the actions.
+supervise() { "$repository/scripts/lib/supervise" "$runtime_dir/supervisor.sock" "$@"; }
 
-# states [SERVICE...]: supervisor's own lines: name, state, description. (supervisorctl's exit code says what they say.)
-states() { ctl status "$@" || true; }
+# is_running: whether this stack's supervisord answers.
+is_running() { [[ -S $runtime_dir/supervisor.sock ]] && supervise alive 2>/dev/null; }
 
 # configured_services: the services this stack knows, one a line.
 configured_services() { find "$runtime_dir/services" -name '*.conf' -printf '%f\n' | sed 's/\.conf$//' | sort; }

@@ -75,6 +75,12 @@ void StereoCameraNode::add_options(CLI::App& app) {
 }
 
 void StereoCameraNode::configure(const std::string& robot_file) {
+  check(robot_file);
+  read_first_pair();
+}
+
+// Devices are opened by the first read.
+void StereoCameraNode::check(const std::string& robot_file) {
   // What OpenCV has to say goes into our own messages.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   if (once_) count_ = 1;
@@ -84,7 +90,6 @@ void StereoCameraNode::configure(const std::string& robot_file) {
   if (geometry_.calibration && !geometry_.calibration->rms) {
     spdlog::warn("{}: states no reprojection error; taken on trust", geometry_.size_source);
   }
-  read_first_pair();
 }
 
 void StereoCameraNode::read_first_pair() {

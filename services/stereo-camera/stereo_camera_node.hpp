@@ -22,6 +22,7 @@ class StereoCameraNode : public bus::Service {
  public:
   void add_options(CLI::App& app) override;
   void configure(const std::string& robot_file) override;
+  void check(const std::string& robot_file) override;
   bool reads_bus() const override { return false; }
   void start(bus::Bus& bus) override;
   void run(bus::Bus& bus) override;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <markservo/ServiceStatus.hpp>
 
 #include "common/robot/configuration_error.hpp"
 
@@ -18,8 +19,16 @@ class OneSetting : public Service {
   void configure(const std::string&) override {
     if (gain < 0.0) throw ConfigurationError("gain is negative; allowed: 0 or more");
   }
-  void start(Bus& bus) override { bus.stop(); }
+  void start(Bus& bus) override {
+    started = true;
+    if (waits) bus.set_state("waiting", "for work");
+    bus.stop();
+  }
+  void run(Bus& bus) override { state = bus.status().state; }
   double gain = 0.5;
+  bool waits = false;
+  bool started = false;
+  std::string state;
 };
 
 class ServiceMain : public ::testing::Test {
@@ -56,6 +65,23 @@ TEST_F(ServiceMain, ReadsItsConfigFileAndPrintsAllSettings) {
   EXPECT_EQ(run({"--config", file_.string(), "--print-config"}), kExitStopped);
   EXPECT_NE(output_.find("gain=0.25"), std::string::npos);
   EXPECT_NE(output_.find("lcm-url"), std::string::npos);
+}
+
+TEST_F(ServiceMain, ChecksItsConfigurationWithoutABus) {
+  write_config("gain=0.25\n");
+  EXPECT_EQ(run({"--config", file_.string(), "--check", "--lcm-url", "file:///nowhere/no.lcm"}), kExitStopped);
+  EXPECT_NE(output_.find("valid"), std::string::npos);
+  EXPECT_FALSE(service_.started);
+  EXPECT_EQ(run({"--gain", "-1", "--check"}), kExitBadConfiguration);
+  EXPECT_NE(errors_.find("negative"), std::string::npos);
+}
+
+TEST_F(ServiceMain, IsReadyUnlessItSaysThatItWaits) {
+  run({"--lcm-url", "memq://"});
+  EXPECT_EQ(service_.state, "ready");
+  service_.waits = true;
+  run({"--lcm-url", "memq://"});
+  EXPECT_EQ(service_.state, "waiting");
 }
 
 TEST_F(ServiceMain, RefusesAnUnknownKey) {

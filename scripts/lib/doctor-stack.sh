@@ -1,0 +1,114 @@
+# shellcheck shell=bash disable=SC2154 # variables of the sourcing script
+# What scripts/doctor asks of the stack: programs, configuration, and who else is on the bus. Each check_ function says
+# what it finds by `well` and `wrong`. To be sourced by scripts/doctor.
+
+check_packages() {
+  local missing
+  missing=$(missing_packages | paste -sd ' ')
+  if [[ -n $missing ]]; then
+    wrong programs "missing packages: $missing" "scripts/install"
+  else
+    well programs "all packages are installed"
+  fi
+}
+
+check_executables() {
+  local service missing=() targets=() plan
+  for service in "${services[@]}" bus-census task-operator; do
+    if [[ -x $build_dir/bin/$service ]]; then targets+=("bin/$service"); else missing+=("$service"); fi
+  done
+  if ((${#missing[@]} > 0)); then
+    wrong programs "not built: ${missing[*]} (in $build_dir/bin)" "scripts/build release"
+  fi
+  if [[ ! -f $build_dir/build.ninja ]] || ! command -v ninja >/dev/null; then
+    well programs "executables are there; nothing tells whether they are newer than their sources"
+  elif ((${#targets[@]} > 0)); then
+    # ninja knows what each was made from; it builds nothing here.
+    plan=$(ninja -C "$build_dir" -n "${targets[@]}" 2>&1) || true
+    if grep -q 'no work to do' <<<"$plan"; then
+      well programs "executables are newer than their sources"
+    else
+      wrong programs "executables are older than their sources ($(grep -c '^\[' <<<"$plan") steps to build)" \
+        "scripts/build release"
+    fi
+  fi
+}
+
+# check_settings SERVICE: by the service itself; prints what it objects to, without its own name.
+check_settings() {
+  local arguments=(--check --robot-file "$robot_file")
+  if [[ -f $config_dir/$1.conf ]]; then arguments+=(--config "$config_dir/$1.conf"); fi
+  # From the project's folder: settings may name files in it.
+  (cd -- "$repository" && "$build_dir/bin/$1" "${arguments[@]}" 2>&1 >/dev/null) | tail -n 1 | sed "s/^$1: //"
+  return "${PIPESTATUS[0]}"
+}
+
+check_configuration() {
+  local service file conf objection wrong_before=$faults mend
+  local -A told=()
+  if [[ ! -r $robot_file ]]; then
+    wrong configuration "$robot_file cannot be read" "git checkout config/robot.yaml, or name another with --robot-file"
+    return
+  fi
+  robot_file=$(realpath -s -- "$robot_file") config_dir=$(realpath -s -- "$config_dir")
+  for service in "${services[@]}"; do
+    if [[ ! -x $build_dir/bin/$service ]]; then continue; fi
+    if objection=$(check_settings "$service"); then continue; fi
+    # The same fault of robot.yaml is found by all that read it.
+    if [[ -n ${told[$objection]-} ]]; then continue; fi
+    told[$objection]=yes
+    conf=$config_dir/$service.conf
+    mend="edit ${robot_file@Q}"
+    if [[ -f $conf ]]; then
+      if [[ $objection != *"$robot_file"* ]]; then mend="edit ${conf@Q}"; fi
+      mend+=", then: ${build_dir@Q}/bin/$service --check --robot-file ${robot_file@Q} --config ${conf@Q}"
+    else
+      mend+=", then: ${build_dir@Q}/bin/$service --check --robot-file ${robot_file@Q}"
+    fi
+    wrong configuration "$service: ${objection:-fails without a word}" "$mend"
+  done
+  for file in "$config_dir"/*.conf; do
+    service=$(basename -- "$file" .conf)
+    # supervisord.conf is scripts/stack's template.
+    if [[ ! -e $file || $service == supervisord || -d $repository/services/$service ]]; then continue; fi
+    wrong configuration "$file: no service is called $service, so nobody reads it" "rename it to SERVICE.conf, or: rm ${file@Q}"
+  done
+  if ((faults == wrong_before)); then well configuration "$robot_file and the services' settings are valid"; fi
+}
+
+check_versions() {
+  local different
+  different=$(jq -r '.version as $ours | [.services[] | select(.version != $ours) |
+    "\(.name) on \(.host) is \(.version)"] | unique | join(", ")' "$heard_file")
+  if [[ -n $different ]]; then
+    wrong programs "we are version $(jq -r .version "$heard_file"), but $different" \
+      "on that host: git pull && scripts/build release && scripts/stack restart"
+  else
+    well programs "version $(jq -r .version "$heard_file"), as all on the bus"
+  fi
+}
+
+check_others() {
+  local line mend wrong_before=$faults
+  while IFS=$'\t' read -r line mend; do wrong others "$line" "$mend"; done < <(jq -r '
+    ([.services[] | select(.duplicate)] | group_by([.robot, .name])[]
+      | ["\(length) processes are \(.[0].name): " + (map("\(.pid) on \(.host)") | join(", ")),
+         "end all but one: " + (map("kill \(.pid) (on \(.host))") | join(" or "))]),
+    (.services as $services | .channels[] | select(.two_writers)
+      | [.writers[] | .session as $session | $services[] | select(.session == $session)] as $known
+      # Two of one name are told of above.
+      | select([$known[] | select(.duplicate | not)] | length > 0 or ($known | length) < (.writers | length))
+      | ["two write \(.channel), where one may: " +
+          ([.writers[] | .service // "one that does not say its name (session \(.session))"] | join(", ")),
+         if ($known | length) > 0
+         then "end all but one: " + ([$known[] | "kill \(.pid) (\(.name) on \(.host))"] | join(" or "))
+         else "build/release/bin/bus-census (and end what is no service of ours)" end]),
+    (.channels[] | select(.several_types)
+      | ["\(.channel) carries several types: its writers are of different versions",
+         "on each host: git pull && scripts/build release && scripts/stack restart"])
+    | @tsv' "$heard_file")
+  if ((faults == wrong_before)); then
+    well others "$(jq -r 'if .services == [] then "nobody is on the bus" else
+      "on the bus, each once: " + ([.services[].name] | unique | join(" ")) end' "$heard_file")"
+  fi
+}

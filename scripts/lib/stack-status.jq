@@ -1,0 +1,61 @@
+# Joins supervisor's words (the input: an array) with bus-census's report ($heard, or null) and the logs' last complaints
+# ($complaints: lines of service, tab, complaint). The first line is `well` or `wrong`; then comes, where $json is "yes",
+# {"heard", "bus", "services": [...]}, `wrong` listing what is wrong with each, or else a table, a line a service, with tabs.
+
+def ms: if . == null then "-" else . * 1000 | round | tostring end;
+def hz: if . == null then "-" else . * 10 | round / 10 | tostring end;
+# What came over the bus or from a log must not steer a terminal.
+def printable: gsub("\\p{Cc}"; "?");
+def count: if . == null then "-" else tostring end;
+def duration: floor | [. / 3600, . % 3600 / 60, . % 60] | map(floor)
+  | "\(.[0]):\(.[1] + 100 | tostring[1:]):\(.[2] + 100 | tostring[1:])";
+
+($complaints | split("\n") | map(split("\t") | {(.[0] // ""): (.[1] // "")}) | add // {}) as $complaint_of
+| ($heard.host) as $host
+| {heard: ($heard != null), bus: ($heard.url), services: map(
+    . as $process
+    | [$heard.services[]? | select(.name == $process.name and .host == $host and .pid == $process.pid)][-1] as $word
+    | [$heard.channels[]? | . as $channel
+        | select($word != null and ($word.writes | index($channel.channel)))] as $writes
+    # Supervisor calls a process running once it has lived for a second; its own word counts for more.
+    | (if .state == "STARTING" and $word != null then "RUNNING" else .state end) as $state
+    | {
+        name, state: $state, pid, uptime_s, spawn_error,
+        says: $word.state, reason: $word.reason, ready: (if $heard == null then null else $word.ready == true end),
+        hz: ([$writes[].hz] | max),
+        age_s: ([$word.channels[]?.age_s | select(. >= 0)] | max),
+        lost: (if $word then [$word.channels[].lost] | add // 0 else null end),
+        skipped: (if $word then [$word.channels[].skipped] | add // 0 else null end),
+        refused: (if $word then [$word.channels[] | .refused + .decode_failures] | add // 0 else null end),
+        latency_p99_s: ([$word.channels[]?.latency_p99_s] | max),
+        version: $word.version, config_hash: $word.config_hash, session: $word.session,
+        writes: [$writes[] | {channel, hz, bytes_per_s}], channels: ($word.channels // []),
+        last_complaint: ($complaint_of[.name] // ""),
+        wrong: [
+          (if $state != "RUNNING" then "does not run" + (if .spawn_error == "" then "" else ": " + .spawn_error end)
+           else empty end),
+          (if $state == "RUNNING" and $heard != null and $word == null then "says nothing on the bus" else empty end),
+          (if $word and ($word.ready | not) then
+             "not ready: " + $word.state + (if $word.reason == "" then "" else ": " + $word.reason end)
+           else empty end),
+          # Who has run for longer than was listened was not restarted meanwhile: who else speaks is another one.
+          ([$heard.services[]? | select($word != null and $process.uptime_s > 3 and .name == $word.name
+              and .robot == $word.robot and .session != $word.session)][0] // empty
+            | "another process of this name is on the bus: \(.pid) on \(.host)"),
+          ($writes[] | select(.two_writers) | "another one writes \(.channel) too"),
+          ($writes[] | select(.several_types) | "\(.channel) carries several types")
+        ]
+      }
+    | .notes = (.wrong + [
+        (if .ready and (.reason // "") != "" then .reason else empty end),
+        (if .last_complaint != "" then "log: " + .last_complaint else empty end)] | join("; "))
+    | .row = [.name, .state, (if .pid == 0 then "-" else .pid end), (if .pid == 0 then "-" else .uptime_s | duration end),
+        (.says // "-" | printable), (.hz | hz), (.age_s | ms), (.lost | count), (.skipped | count), (.refused | count),
+        (.latency_p99_s | ms), (.notes | printable)]
+  )}
+| (if all(.services[]; .wrong == []) then "well" else "wrong" end),
+  if $json == "yes" then del(.services[].row)
+  else
+    (["service", "state", "pid", "uptime", "says", "Hz", "age ms", "lost", "skipped", "refused", "p99 ms", "notes"],
+      .services[].row) | @tsv
+  end

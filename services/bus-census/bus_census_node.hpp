@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <lcm/lcm-cpp.hpp>
+#include <optional>
+#include <string>
+
+#include "services/bus-census/census.hpp"
+
+namespace markservo::bus_census {
+
+// Listens to all of a bus and writes nothing on it.
+class BusCensusNode {
+ public:
+  // Throws bus::BusUnavailable with a line that says what to do. `status_only`: only SERVICE_STATUS is listened to.
+  BusCensusNode(const std::string& url, bool status_only);
+
+  // Called with every SERVICE_STATUS, if set.
+  std::function<void(const ServiceWord&)> on_status;
+
+  // Until `seconds` have passed or it is told to end (SIGINT, SIGTERM).
+  void listen(double seconds);
+
+  Report report() const;
+
+ private:
+  static void raw_handler(const lcm::ReceiveBuffer* buffer, const std::string& channel, BusCensusNode* node);
+  void hear(const lcm::ReceiveBuffer* buffer, const std::string& channel);
+
+  std::string url_;
+  lcm::LCM lcm_;
+  std::optional<Census> census_;
+  int64_t end_us_ = 0;  // when listening ended, us
+};
+
+}  // namespace markservo::bus_census
