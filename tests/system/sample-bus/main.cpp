@@ -109,7 +109,7 @@ class SampleBus {
     frame.encoding = markservo::StereoFrame::ENCODING_BGR8;
     frame.calibration.fx = frame.calibration.fy = 500.0;
     frame.calibration.baseline = 0.1;
-    frame.left.assign(8 * 4 * 3, 0);
+    frame.left.assign(std::size_t{8} * 4 * 3, 0);
     frame.right = frame.left;
     frame.left_size = frame.right_size = static_cast<int32_t>(frame.left.size());
     frames_.publish(frame);
