@@ -90,6 +90,17 @@ void Bus::attach(std::unique_ptr<Subscription> subscription) {
   subscriptions_.push_back(std::move(subscription));
 }
 
+void Bus::on_raw(const std::string& channel, RawSubscription::Handler handler) {
+  SubscriptionHost* host = this;  // a private base: only here is the conversion allowed
+  attach(std::make_unique<RawSubscription>(host, full_channel(channel), std::move(handler)));
+}
+
+void Bus::publish_raw(const std::string& channel, const void* data, std::size_t size) {
+  if (out_->publish(full_channel(channel), data, static_cast<unsigned int>(size)) < 0) {
+    throw std::runtime_error("publish on " + channel + ": the bus refused the message");
+  }
+}
+
 void Bus::every(milliseconds period, std::function<void()> task) {
   timers_.push_back({period, steady_clock::now() + period, std::move(task)});
 }
@@ -156,10 +167,17 @@ ServiceStatus Bus::status() const {
   status.config_hash = parameters_.config_hash;
   status.state = state_;
   status.reason = reason_;
+  add_counters("", status);
+  for (const auto& [other, prefix] : reported_also_) other->add_counters(prefix, status);
+  status.num_channels = static_cast<int32_t>(status.channels.size());
+  return status;
+}
+
+void Bus::add_counters(const std::string& prefix, ServiceStatus& status) const {
   for (const auto& subscription : subscriptions_) {
     const ChannelCounters& counters = subscription->counters();
     ChannelStatus channel{};
-    channel.channel = subscription->channel();
+    channel.channel = prefix + subscription->channel();
     channel.received = counters.received;
     channel.skipped = counters.skipped;
     channel.lost = counters.sequence.lost();
@@ -171,8 +189,10 @@ ServiceStatus Bus::status() const {
     channel.latency_p99 = counters.latency.percentile(0.99);
     status.channels.push_back(std::move(channel));
   }
-  status.num_channels = static_cast<int32_t>(status.channels.size());
-  return status;
+}
+
+void Bus::report_also(const Bus& other, std::string prefix) {
+  reported_also_.emplace_back(&other, std::move(prefix));
 }
 
 void Bus::publish_status() {

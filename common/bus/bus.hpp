@@ -24,6 +24,7 @@
 
 #include "common/bus/bus_url.hpp"
 #include "common/bus/publisher.hpp"
+#include "common/bus/raw_subscription.hpp"
 #include "common/bus/subscription.hpp"
 
 namespace markservo {
@@ -72,6 +73,12 @@ class Bus final : private SubscriptionHost {
     subscribe<M>(channel, Delivery::kEach, false, std::move(handler));
   }
 
+  // A channel of any type, as bytes that nobody looks into: only for who passes messages on. False counts the message
+  // as skipped; what it throws, as refused.
+  void on_raw(const std::string& channel, RawSubscription::Handler handler);
+  // Sends bytes as they are. Throws std::runtime_error if the bus refuses.
+  void publish_raw(const std::string& channel, const void* data, std::size_t size);
+
   template <class M>
   Publisher<M> advertise(const std::string& channel) {
     return Publisher<M>(out_.get(), full_channel(channel), session_);
@@ -79,6 +86,10 @@ class Bus final : private SubscriptionHost {
 
   // Calls `task` every `period` of this host's steady clock while the bus is live; never while a log is replayed.
   void every(std::chrono::milliseconds period, std::function<void()> task);
+
+  // Counts what `other` hears in this service's SERVICE_STATUS too, each channel with `prefix`. `other` must outlive
+  // this.
+  void report_also(const Bus& other, std::string prefix);
 
   // The service's own word for how it is; published at once when it changes.
   void set_state(const std::string& state, const std::string& reason = {});
@@ -91,6 +102,8 @@ class Bus final : private SubscriptionHost {
     }
   }
   void stop() { stopped_ = true; }
+  // Readable when messages wait: for who waits on more than this bus, with poll(2), and then calls poll(0).
+  int descriptor() const { return in_->getFileno(); }
 
   // The newest utime on any subscribed channel, us: what "now" means to the algorithms; 0 before the first message.
   int64_t newest_utime() const override { return newest_utime_; }
@@ -98,6 +111,8 @@ class Bus final : private SubscriptionHost {
   bool replaying() const override { return replaying_; }
   int64_t session() const { return session_; }
   const BusUrls& urls() const { return parameters_.urls; }
+  // The prefix of all channels, empty for none.
+  const std::string& robot() const { return parameters_.robot; }
   // What SERVICE_STATUS says now.
   ServiceStatus status() const;
 
@@ -117,6 +132,7 @@ class Bus final : private SubscriptionHost {
   }
   void attach(std::unique_ptr<Subscription> subscription);
   std::string full_channel(const std::string& channel) const;
+  void add_counters(const std::string& prefix, ServiceStatus& status) const;
   void publish_status();
   void run_timers();
   std::chrono::milliseconds until_next_timer(std::chrono::milliseconds limit) const;
@@ -131,6 +147,7 @@ class Bus final : private SubscriptionHost {
   std::shared_ptr<lcm::LCM> in_;
   std::shared_ptr<lcm::LCM> out_;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
+  std::vector<std::pair<const Bus*, std::string>> reported_also_;  // with their channels' prefix
   std::vector<Timer> timers_;
   std::unique_ptr<Publisher<ServiceStatus>> status_publisher_;
   std::string state_ = kStarting;

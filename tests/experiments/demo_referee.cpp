@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
+#include "tests/experiments/bus_counts.hpp"
 #include "tests/experiments/demo_pictures.hpp"
 #include "tests/experiments/demo_watches.hpp"
 #include "tests/experiments/drive_picture.hpp"
@@ -21,6 +22,7 @@
 #include "tests/experiments/stale_drive.hpp"
 #include "tests/experiments/statistics.hpp"
 #include "tests/experiments/task_words.hpp"
+#include "tests/experiments/touch_watch.hpp"
 
 namespace markservo::experiments {
 namespace {
@@ -101,7 +103,8 @@ class Demo {
         eyes_(rig_.bus(), [this](int64_t seq) { latency_.frame(seq); }),
         stale_motion_(rig_.bus()),
         drive_(rig_.bus()),
-        stale_drive_(rig_.bus()) {}
+        stale_drive_(rig_.bus()),
+        counts_(rig_.bus()) {}
 
   Course run() {
     rig_.wait_for_world();
@@ -135,6 +138,7 @@ class Demo {
       }
       if (task.state == TaskState::SERVO) ++course.servo.frames;
       stale_motion_.observe(rig_.truth(), task.state);
+      touch_.observe(rig_.truth(), task.state);
       drive_.observe(task.state);
       if (task.state == TaskState::DRIVE)
         before = rig_.truth();  // C drives along: places are told from the drive's end
@@ -155,6 +159,8 @@ class Demo {
   const StaleMotionWatch& stale_motion() const { return stale_motion_; }
   const DriveWatch& drive() const { return drive_; }
   const StaleDriveWatch& stale_drive() const { return stale_drive_; }
+  const TouchWatch& touch() const { return touch_; }
+  const BusCounts& counts() const { return counts_; }
   const SimTruth& truth() const { return rig_.truth(); }
 
  private:
@@ -171,6 +177,7 @@ class Demo {
     while (elapsed() < kAftermath) {
       step();
       course.lift.observe(rig_.truth(), demo_.target, course.last.state);
+      touch_.observe(rig_.truth(), course.last.state);
       if (earlier || elapsed() < kAftermath - kRestTime) continue;
       earlier = rig_.truth();
       drive_.expect_rest();
@@ -210,6 +217,8 @@ class Demo {
   StaleMotionWatch stale_motion_;
   DriveWatch drive_;
   StaleDriveWatch stale_drive_;
+  TouchWatch touch_;
+  BusCounts counts_;
   CourseClock clock_;
 };
 
@@ -231,7 +240,8 @@ nlohmann::json truth_report(const Course& course, bool truly_lifted) {
 }
 
 nlohmann::json report_of(const ExperimentOptions& options, const Course& course, bool truly_lifted,
-                         const std::vector<double>& latency_ms, const StaleMotionWatch& stale_motion) {
+                         const std::vector<double>& latency_ms, const StaleMotionWatch& stale_motion,
+                         const TouchWatch& touch) {
   const auto& error = course.servo.error;
   const auto stale_phase = stale_motion.phase();
   return {{"seed", options.seed},
@@ -249,6 +259,8 @@ nlohmann::json report_of(const ExperimentOptions& options, const Course& course,
            {{"moved_on_stale_input_rad", stale_motion.moved()},
             {"stale_s", stale_motion.longest()},  // longest without a fresh command
             {"stale_phase", stale_phase ? nlohmann::json(task_state_name(*stale_phase)) : nlohmann::json()},
+            {"touched", touch.touched()},  // the first pair; empty: the arm touched nothing
+            {"touched_phase", touch.phase() ? nlohmann::json(task_state_name(*touch.phase())) : nlohmann::json()},
             {"moved_at_end_rad", number_or_null(course.moved_at_end)}}},
           {"latency_ms",
            {{"frame_to_command_p50", number_or_null(percentile(latency_ms, 0.50))},
@@ -282,7 +294,8 @@ bool run_demo(const ExperimentOptions& options, const DemoOptions& demo) {
   Demo run(options, demo, *target);
   const Course course = run.run();
   const bool truly_lifted = course.lift.held() >= kLiftedTime;
-  nlohmann::json report = report_of(options, course, truly_lifted, run.latency_ms(), run.stale_motion());
+  nlohmann::json report = report_of(options, course, truly_lifted, run.latency_ms(), run.stale_motion(), run.touch());
+  report["bus"] = run.counts().report();
   print_table(course, truly_lifted, run.latency_ms());
   bool truly_done = truly_lifted && (!course.carried || course.carried->stands_elsewhere);
   const std::filesystem::path out = options.out;

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/bus_watch/channel_watch.hpp"
+
+namespace markservo::bus_watch {
+
+// All channels of a bus, each with its newest message. No clock: `now` is seconds of any clock that does not go back.
+class BusWatch {
+ public:
+  struct Channel {
+    ChannelWatch watch;
+    std::vector<std::uint8_t> newest;  // payload
+  };
+
+  // `data` is copied. Channels beyond the first kMaxChannels are counted only.
+  void observe(const std::string& channel, const MessageNote& note, const void* data, double now);
+
+  const std::map<std::string, Channel>& channels() const { return channels_; }
+  const Channel* find(const std::string& channel) const;  // null: never heard
+  // Messages on channels that are not watched because there are too many.
+  std::int64_t unwatched() const { return unwatched_; }
+
+  static constexpr std::size_t kMaxChannels = 1000;  // whoever writes on more means harm
+
+ private:
+  std::map<std::string, Channel> channels_;
+  std::int64_t unwatched_ = 0;
+};
+
+}  // namespace markservo::bus_watch

@@ -1,0 +1,101 @@
+# shellcheck shell=bash disable=SC2154 # variables of the sourcing script
+# manifest.json: what a recording is, how it was made and how it ended. To be sourced after recording.sh.
+
+log_tool=$repository/build/release/bin/log-tool
+
+# instant SECONDS.MICROSECONDS: {"utc", "utime"}.
+instant() {
+  jq -cn --arg utc "$(date -u -d "@${1%.*}" +%Y-%m-%dT%H:%M:%SZ)" --argjson utime "${1/./}" '{$utc, $utime}'
+}
+
+# source_version: the commit, and whether files differ from it; null in a copy without git.
+source_version() {
+  local commit dirty=false
+  commit=$(git -C "$repository" rev-parse HEAD 2>/dev/null) || { echo null; return; }
+  if [[ -n $(git -C "$repository" status --porcelain 2>/dev/null) ]]; then dirty=true; fi
+  jq -cn --arg commit "$commit" --argjson dirty "$dirty" '{$commit, $dirty}'
+}
+
+# message_types: name -> hash of every type that this build knows; null before the first build.
+message_types() { "$log_tool" types --json 2>/dev/null || echo null; }
+
+# configuration FOLDER ROBOT_FILE: the text and hash of each file, and one hash over all.
+configuration() {
+  local files=() file path all
+  mapfile -t files < <({ find "$1" -type f -size -1024k; printf '%s\n' "$2"; } | xargs -d '\n' realpath -- | sort -u)
+  all=$(for file in "${files[@]}"; do
+    # Only a path inside the project can be written back by whoever has the recording.
+    path=${file#"$repository"/}
+    if [[ $path == /* ]]; then path=outside/${path##*/}; fi
+    jq -cn --arg path "$path" --arg sha256 "$(sha256sum -- "$file" | cut -c1-64)" --rawfile text "$file" \
+      '{$path, $sha256, $text}'
+  done | jq -cs .)
+  jq -cn --arg sha256 "$(jq -r '.[] | "\(.sha256)  \(.path)"' <<<"$all" | sha256sum | cut -c1-64)" --slurpfile files <(
+    cat <<<"$all"
+  ) '{$sha256, files: $files[0]}'
+}
+
+# write_manifest FOLDER TEXT: replaces it in one step, so that there always is a whole one.
+write_manifest() {
+  cat >"$1/manifest.json.new" <<<"$2"
+  sync -d -- "$1/manifest.json.new"
+  mv -f -- "$1/manifest.json.new" "$1/manifest.json"
+}
+
+# begin_manifest: of the recording in $folder, from the options of scripts/record.
+begin_manifest() {
+  local text
+  text=$(jq -n --arg name "${folder##*/}" --arg note "$note" --argjson start "$(instant "$EPOCHREALTIME")" \
+    --arg host "$(uname -n)" --arg lcm_url "$lcm_url" --arg robot "$robot" \
+    --arg lcm_version "$(dpkg-query -W -f '${Version}' liblcm-bin 2>/dev/null || true)" \
+    --argjson source "$(source_version)" --slurpfile types <(message_types) \
+    --slurpfile configuration <(configuration "$config_dir" "$robot_file") \
+    --arg frames "$frames" --argjson split "${split:-null}" --argjson keep "${keep:-null}" --argjson min_free "$min_free" \
+    '{format_version: 1, $name, $note, $start, end: null, ended_by: null, $host, $lcm_url, $robot, $lcm_version,
+      $source, with_frames: ($frames == "yes"), split_mb: $split, keep_parts: $keep, min_free_mb: $min_free,
+      types: $types[0], configuration: $configuration[0], logger: null, parts: [], parts_removed: 0, events: null,
+      lost: null, damage: null, channels: null}')
+  write_manifest "$folder" "$text"
+}
+
+# counts FOLDER: what log-tool finds in the recording; null where it cannot tell.
+counts() {
+  local status=0 report=''
+  if [[ -z $(find "$1" -maxdepth 1 -name 'log.lcm*' -size +0) ]]; then
+    echo '{"files": [], "channels": []}'
+    return
+  fi
+  if [[ -x $log_tool ]]; then report=$("$log_tool" info --json "$1" 2>/dev/null) || status=$?; fi
+  # 1: it is damaged, and said where.
+  if ((status > 1)) || ! jq -e 'type == "object"' <<<"$report" 2>/dev/null >&2; then report=null; fi
+  printf '%s\n' "$report"
+}
+
+# complete_manifest FOLDER ENDED_BY END EXIT_CODE WORDS REMOVED: END as instant takes it, EXIT_CODE of lcm-logger (null:
+# nobody saw it), WORDS what it said, REMOVED how many parts --keep has deleted.
+complete_manifest() {
+  local name text
+  text=$(jq --arg ended_by "$2" --argjson ended "$(instant "$3")" --argjson exit_code "$4" --arg said "$5" --argjson removed "$6" \
+    --slurpfile parts <(parts "$1" | while IFS= read -r name; do
+      jq -cn --arg file "$name" --argjson bytes "$(stat -c %s -- "$1/$name")" '{$file, $bytes}'
+    done | jq -cs .) \
+    --slurpfile counts <(counts "$1") \
+    '$counts[0] as $c | .end = $ended | .ended_by = $ended_by | .logger = {$exit_code, $said} | .parts = $parts[0] |
+      .parts_removed = $removed |
+      if $c == null then . else
+        .channels = $c.channels | .events = ($c.channels | map(.events) | add // 0) |
+        .lost = ($c.channels | map(.lost // 0) | add // 0) |
+        .damage = [$c.files[] | .path as $path | .damage[]? | {file: ($path | split("/") | last), offset, bytes}]
+      end' \
+    "$1/manifest.json")
+  write_manifest "$1" "$text"
+}
+
+# told_of FOLDER: one line of what is in a completed recording.
+told_of() {
+  jq -r '(.parts | map(.bytes) | add // 0) as $bytes |
+    "\((.end.utime - .start.utime) / 1e5 | round / 10) s, \($bytes / 1e5 | round / 10) MB in \(.parts | length) file(s)" +
+    (if .events == null then "" else ", \(.events) messages on \(.channels | length) channels, \(.lost) lost" end) +
+    (if (.damage // []) == [] then "" else ", torn at the end or damaged (scripts/log info tells where)" end)' \
+    "$1/manifest.json"
+}

@@ -1,0 +1,76 @@
+# shellcheck shell=bash disable=SC2034,SC2154 # variables of the sourcing script, and for it
+# A recording's folder and the logger that fills it. To be sourced after project.sh.
+
+default_lcm_url='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'
+# What raw frames need, as common/bus says.
+receive_buffer_for_raw_frames=2097152
+
+# new_dated_folder: makes logs/TIME, lets logs/latest point to it and leaves its path in `folder`; waits while somebody
+# else has taken the second.
+new_dated_folder() {
+  local errors
+  if ! errors=$(mkdir -p -- "$repository/logs" 2>&1); then fail_with 2 "$repository/logs: cannot be made: ${errors##*: }"; fi
+  folder=$repository/logs/$(date +%Y-%m-%d_%H-%M-%S)
+  while ! errors=$(mkdir -- "$folder" 2>&1); do
+    [[ -e $folder ]] || fail_with 2 "$folder: cannot be made: ${errors##*: }"
+    sleep 0.2
+    folder=$repository/logs/$(date +%Y-%m-%d_%H-%M-%S)
+  done
+  point_latest_to "$folder"
+}
+
+# point_latest_to FOLDER: logs/latest, for a folder in logs/.
+point_latest_to() { ln -sfn -- "${1##*/}" "$repository/logs/latest"; }
+
+# fail_with CODE TEXT...: as fail, with an exit code of its own.
+fail_with() {
+  local code=$1
+  shift
+  warn "$@"
+  exit "$code"
+}
+
+# with_receive_buffer URL: the URL as lcm-logger needs it: the kernel's default buffer loses raw frames.
+with_receive_buffer() {
+  case $1 in
+    udpm://*recv_buf_size=*) printf '%s\n' "$1" ;;
+    udpm://*\?*) printf '%s&recv_buf_size=4194304\n' "$1" ;;
+    udpm://*) printf '%s?recv_buf_size=4194304\n' "$1" ;;
+    *) printf '%s\n' "$1" ;;
+  esac
+}
+
+# receive_buffer URL: how many bytes the kernel will grant a listener on URL; nothing where it does not say.
+receive_buffer() {
+  local asked granted
+  [[ $1 =~ recv_buf_size=([0-9]+) ]] || return 0
+  asked=${BASH_REMATCH[1]}
+  granted=$(cat /proc/sys/net/core/rmem_max 2>/dev/null) || return 0
+  printf '%d\n' $((asked < granted ? asked : granted))
+}
+
+# channels_regex FRAMES ROBOT: what lcm-logger shall take. Frames that no one asked for are not even put together.
+channels_regex() {
+  local prefix='(.*/)?'
+  if [[ -n $2 ]]; then prefix=$2/; fi
+  case $1:$2 in
+    yes:) printf '.*\n' ;;
+    yes:*) printf '%s.*\n' "$prefix" ;;
+    *) printf '(?!%sSTEREO_FRAME$)%s.*\n' "$prefix" "${2:+$prefix}" ;;
+  esac
+}
+
+# parts FOLDER: the names of the recording's files, in the order in which they were written, one a line.
+parts() { find "$1" -maxdepth 1 -type f -name 'log.lcm*' -printf '%f\n' | sort -V; }
+
+# megabytes BYTES
+megabytes() { printf '%d\n' $(($1 / 1000000)); }
+
+# free_megabytes FOLDER: what an ordinary user can still write there.
+free_megabytes() { df --output=avail -B1000000 -- "$1" | tail -n 1 | tr -d ' '; }
+
+# unwritten_megabytes: how much lcm-logger may keep in memory while the disk is slow: a quarter of what is free, and no
+# more than 1000.
+unwritten_megabytes() {
+  awk '/^MemAvailable:/ { mb = int($2 / 4096); print (mb < 100 ? 100 : (mb > 1000 ? 1000 : mb)) }' /proc/meminfo
+}

@@ -1,0 +1,59 @@
+#include "services/bus-bridge/crossing_options.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "common/bus/bus_url.hpp"
+#include "common/robot/configuration_error.hpp"
+
+namespace markservo::bus_bridge {
+namespace {
+
+// The port in a udpm:// URL, as it stands there; LCM's own default where none does.
+std::string port_of(const std::string& url) {
+  const std::string address = url.substr(0, url.find('?'));
+  const std::size_t colon = address.rfind(':');
+  const bool none = colon == std::string::npos || colon < std::string("udpm://").size();
+  return none ? "7667" : address.substr(colon + 1);
+}
+
+bool is_channel(const std::string& name) {
+  const auto allowed = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
+  return !name.empty() && std::all_of(name.begin(), name.end(), allowed);
+}
+
+void check_channels(const char* option, const std::vector<std::string>& channels) {
+  std::set<std::string> seen;
+  for (const std::string& channel : channels) {
+    if (!is_channel(channel)) {
+      throw ConfigurationError(std::string(option) + " names '" + channel +
+                               "'; allowed: channels of upper-case letters, digits and _, each by its name");
+    }
+    if (!seen.insert(channel).second) {
+      throw ConfigurationError(std::string(option) + " names " + channel + " twice; allowed: once");
+    }
+  }
+}
+
+}  // namespace
+
+void check(const Crossing& crossing, const std::string& local_url) {
+  const std::string& link = crossing.link_url;
+  if (!bus::is_udpm(link)) {
+    throw ConfigurationError("--link-url is '" + link + "'; allowed: udpm://GROUP:PORT?ttl=1, the same on both hosts");
+  }
+  if (!bus::is_udpm(local_url)) {
+    throw ConfigurationError("--lcm-url is '" + local_url + "'; allowed: a live bus, udpm://");
+  }
+  if (port_of(link) == port_of(local_url)) {
+    throw ConfigurationError("--link-url is " + link + ", on the port of this host's bus " + local_url +
+                             "; allowed: another port, for LCM tells buses apart by it");
+  }
+  if (crossing.send.empty() && crossing.receive.empty()) {
+    throw ConfigurationError("--send and --receive name no channel; allowed: at least one of them names one");
+  }
+  check_channels("--send", crossing.send);
+  check_channels("--receive", crossing.receive);
+}
+
+}  // namespace markservo::bus_bridge

@@ -1,0 +1,24 @@
+#pragma once
+
+// What crosses between a host's own bus and the link to another host, and what may not be asked for.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace markservo::bus_bridge {
+
+struct Crossing {
+  std::string link_url;
+  std::vector<std::string> send;     // channels from the host's bus to the link
+  std::vector<std::string> receive;  // and from the link to the host's bus
+  // Bytes. A message of many packets is lost when one of them is: 8% of 9 KB messages at 1% loss, 71% of 71 KB.
+  std::size_t largest = 9000;
+};
+
+// Throws ConfigurationError (what, value, allowed) for: no link or one that is no udpm:// URL; a link on the port of
+// `local_url`, since LCM tells buses apart by their port and both would be one bus; no channel at all; a channel that
+// is not upper-case letters, digits and _; one named twice in a list.
+void check(const Crossing& crossing, const std::string& local_url);
+
+}  // namespace markservo::bus_bridge

@@ -1,0 +1,212 @@
+#include "services/bus-top/bus_top_node.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <lcm/lcm-cpp.hpp>
+
+#include "common/bus/bus.hpp"
+#include "common/bus/network_check.hpp"
+#include "common/bus_watch/message_note.hpp"
+#include "services/bus-top/channel_table.hpp"
+#include "services/bus-top/field_lines.hpp"
+#include "services/bus-top/screen.hpp"
+#include "services/bus-top/watch_json.hpp"
+
+namespace markservo::bus_top {
+namespace {
+
+constexpr double kRedraw = 0.25;  // s: what changes faster cannot be read
+constexpr int kMaxDrain = 4096;   // messages between two looks at the keys
+constexpr int kQueue = 200;       // messages that wait while the screen is drawn; beyond them liblcm drops
+
+volatile std::sig_atomic_t signalled = 0;
+
+void print(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+std::vector<std::string> names_of(const bus_watch::BusWatch& watch) {
+  std::vector<std::string> names;
+  for (const auto& [name, channel] : watch.channels()) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> message_lines(const std::vector<std::uint8_t>& bytes) {
+  const auto message = reflection::decode(reflection::TypeCatalog::ours(), bytes.data(), bytes.size());
+  if (message.error.empty()) return field_lines(message.fields);
+  return {"the newest message cannot be shown: " + message.error};
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, BusTopOptions& options) {
+  app.add_option("--lcm-url", options.url, "The bus, udpm://")
+      ->envname("MARKSERVO_LCM_URL")
+      ->check([](const std::string& url) {
+        return bus::is_udpm(url) ? std::string() : url + ": allowed is udpm://, a bus that others write on";
+      })
+      ->capture_default_str();
+  app.add_option("--robot", options.robot, "Only the channels of this robot, without its prefix");
+  app.add_option("--channel", options.channel, "Show the fields of this channel's newest message");
+  app.add_flag("--once", options.once, "Print once, as plain text, and end; so without a terminal");
+  app.add_flag("--json", options.json, "Print once, as JSON, and end");
+  app.add_option("--for", options.seconds, "How long to listen before printing once, s")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  app.footer(
+      "Keys: arrows, page up and down, home, end; Enter shows a channel's fields live, Escape goes back; q quits.\n"
+      "Hz, bandwidth and writers are of the last 5 s; lost is counted by seq since bus-top listens; stale channels, "
+      "older than three of their intervals, are grey, those with losses or undecodable messages bold.\n"
+      "Exit codes: 0; 1 nothing was heard, or the message cannot be decoded; 2 bad options or terminal; 3 no bus.");
+}
+
+BusTopNode::BusTopNode(BusTopOptions options)
+    : options_(std::move(options)),
+      prefix_(options_.robot.empty() ? "" : options_.robot + "/"),
+      start_(std::chrono::steady_clock::now()),
+      lcm_(std::make_unique<lcm::LCM>(options_.url)) {
+  if (!lcm_->good()) {
+    throw bus::BusUnavailable("bus " + options_.url + ": cannot be joined; " + bus::multicast_route_advice());
+  }
+  lcm_->subscribeFunction(".*", on_message, this)->setQueueCapacity(kQueue);
+  const auto on_signal = [](int) { signalled = 1; };
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  std::signal(SIGHUP, on_signal);
+}
+
+BusTopNode::~BusTopNode() = default;
+
+double BusTopNode::now() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void BusTopNode::on_message(const lcm::ReceiveBuffer* buffer, const std::string& channel, BusTopNode* node) {
+  if (channel.compare(0, node->prefix_.size(), node->prefix_) != 0) return;
+  const auto note = bus_watch::note_of(reflection::TypeCatalog::ours(), buffer->data, buffer->data_size);
+  node->watch_.observe(channel.substr(node->prefix_.size()), note, buffer->data, node->now());
+}
+
+void BusTopNode::handle_waiting() {
+  errno = 0;
+  int handled = 1;
+  for (int count = 0; handled > 0 && count < kMaxDrain; ++count) handled = lcm_->handleTimeout(0);
+  if (handled < 0 && errno != EINTR && signalled == 0) {
+    throw bus::BusUnavailable("bus " + options_.url + ": cannot be read any more");
+  }
+}
+
+void BusTopNode::listen(double deadline) {
+  while (signalled == 0 && now() < deadline) {
+    if (!options_.channel.empty() && watch_.find(options_.channel) != nullptr) return;
+    pollfd waiting{lcm_->getFileno(), POLLIN, 0};
+    ::poll(&waiting, 1, std::max(1, static_cast<int>(1000.0 * (deadline - now()))));
+    handle_waiting();
+  }
+}
+
+int BusTopNode::print_table() {
+  listen(options_.seconds);
+  if (options_.json) {
+    print(json_text(watch_json(watch_, options_.seconds, now())));
+  } else if (!watch_.channels().empty()) {
+    const ChannelTable table = channel_table(watch_, now());
+    print(table.heading + "\n");
+    for (const ChannelLine& line : table.lines) print(line.text + "\n");
+  }
+  if (!watch_.channels().empty()) return 0;
+  fmt::print(stderr, "bus-top: nothing was heard on {} within {} s{}\n", options_.url, options_.seconds,
+             prefix_.empty() ? "" : " on channels that begin with " + prefix_);
+  return 1;
+}
+
+int BusTopNode::print_channel() {
+  listen(options_.seconds);
+  const bus_watch::BusWatch::Channel* channel = watch_.find(options_.channel);
+  if (channel == nullptr) {
+    std::string heard;
+    for (const auto& [name, entry] : watch_.channels()) heard += (heard.empty() ? "" : ", ") + printable(name);
+    fmt::print(stderr, "bus-top: no message on {} within {} s; heard: {}\n", printable(options_.channel),
+               options_.seconds, heard.empty() ? "nothing" : heard);
+    return 1;
+  }
+  const auto message =
+      reflection::decode(reflection::TypeCatalog::ours(), channel->newest.data(), channel->newest.size());
+  if (!message.error.empty()) {
+    fmt::print(stderr, "bus-top: {}: {}\n", printable(options_.channel), message.error);
+    return 1;
+  }
+  if (options_.json) {
+    print(json_text(message_json(options_.channel, message.fields)));
+  } else {
+    for (const std::string& line : field_lines(message.fields)) print(line + "\n");
+  }
+  return 0;
+}
+
+void BusTopNode::draw(Screen& screen, const Navigation& navigation) const {
+  const ChannelTable table = channel_table(watch_, now());
+  const std::vector<std::string> names = names_of(watch_);
+  std::vector<ScreenLine> body;
+  std::string head = table.heading;
+  std::string foot = "arrows select, Enter shows the fields, q quits   " + options_.url;
+  if (navigation.in_fields()) {
+    head = printable(navigation.opened()) + ": nothing heard yet";
+    foot = "arrows scroll, Escape goes back, q quits";
+    if (const auto* channel = watch_.find(navigation.opened())) {
+      const auto line = std::find(names.begin(), names.end(), navigation.opened());
+      head = table.lines[static_cast<std::size_t>(line - names.begin())].text;
+      for (std::string& text : message_lines(channel->newest)) body.push_back({std::move(text)});
+    }
+  } else {
+    const int selected = navigation.selected(names);
+    for (const ChannelLine& line : table.lines) {
+      body.push_back({line.text, line.stale, line.trouble, static_cast<int>(body.size()) == selected});
+    }
+    if (table.lines.empty()) body.push_back({"nothing heard yet"});
+  }
+  const int first = navigation.first_line(names, static_cast<int>(body.size()), screen.rows());
+  body.erase(body.begin(), body.begin() + first);
+  screen.draw(head, body, foot);
+}
+
+void BusTopNode::watch_live() {
+  Navigation navigation(options_.channel);
+  Screen screen;
+  double drawn = -kRedraw;
+  while (signalled == 0 && !navigation.quit()) {
+    bool pressed = false;
+    do {
+      const auto key = screen.read_key();
+      if (!key) continue;
+      pressed = true;
+      const std::vector<std::string> names = names_of(watch_);
+      const auto* channel = navigation.in_fields() ? watch_.find(navigation.opened()) : nullptr;
+      const std::size_t lines = channel != nullptr ? message_lines(channel->newest).size() : names.size();
+      navigation.press(*key, names, static_cast<int>(lines), screen.rows());
+    } while (screen.more_keys());
+    if (pressed || now() - drawn >= kRedraw) {
+      draw(screen, navigation);
+      drawn = now();
+    }
+    pollfd waiting[2]{{lcm_->getFileno(), POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
+    ::poll(waiting, 2, std::max(1, static_cast<int>(1000.0 * (drawn + kRedraw - now()))));
+    if ((waiting[1].revents & (POLLHUP | POLLERR)) != 0) return;  // the terminal is gone
+    handle_waiting();
+  }
+}
+
+int BusTopNode::run() {
+  const bool live = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0 && !options_.once && !options_.json;
+  if (!live) return options_.channel.empty() ? print_table() : print_channel();
+  watch_live();
+  return 0;
+}
+
+}  // namespace markservo::bus_top

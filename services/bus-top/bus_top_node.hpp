@@ -1,0 +1,63 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "common/bus/bus_url.hpp"
+#include "common/bus_watch/bus_watch.hpp"
+#include "services/bus-top/navigation.hpp"
+
+namespace lcm {
+class LCM;
+struct ReceiveBuffer;
+}  // namespace lcm
+
+namespace markservo::bus_top {
+
+class Screen;
+
+struct BusTopOptions {
+  std::string url = bus::kDefaultUrl;
+  std::string robot;    // only its channels, without its prefix
+  std::string channel;  // only this one's fields
+  bool once = false;
+  bool json = false;
+  double seconds = 2.0;  // s, how long --once listens: two messages of a 1 Hz channel
+};
+
+void add_options(CLI::App& app, BusTopOptions& options);
+
+// Listens to all channels and shows them; writes nothing to the bus.
+class BusTopNode {
+ public:
+  // Throws bus::BusUnavailable.
+  explicit BusTopNode(BusTopOptions options);
+  ~BusTopNode();
+  BusTopNode(const BusTopNode&) = delete;
+  BusTopNode& operator=(const BusTopNode&) = delete;
+
+  // Returns the exit code: 0; 1 when --once heard nothing, or nothing that decodes on --channel. Throws NoTerminal,
+  // bus::BusUnavailable.
+  int run();
+
+ private:
+  static void on_message(const lcm::ReceiveBuffer* buffer, const std::string& channel, BusTopNode* node);
+  double now() const;
+  void handle_waiting();
+  // Until `deadline` (as now() tells it), a signal, or one message on --channel.
+  void listen(double deadline);
+  int print_table();
+  int print_channel();
+  void watch_live();
+  void draw(Screen& screen, const Navigation& navigation) const;
+
+  BusTopOptions options_;
+  std::string prefix_;  // of the robot's channels
+  std::chrono::steady_clock::time_point start_;
+  std::unique_ptr<lcm::LCM> lcm_;
+  bus_watch::BusWatch watch_;
+};
+
+}  // namespace markservo::bus_top

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "common/bus_watch/bus_watch.hpp"
+#include "common/reflection/message_value.hpp"
+
+namespace markservo::bus_top {
+
+// {"seconds", "channels": [{"channel", "type" (null: not ours), "hash", "received", "bytes", "hz", "bytes_per_second",
+// "age_s", "stale", "lost", "undecodable", "writers", "sessions"}], "unwatched"}; null where a figure is not known.
+nlohmann::ordered_json watch_json(const bus_watch::BusWatch& watch, double seconds, double now);
+
+// {"channel", "type", "message"}, bytes by their number.
+nlohmann::ordered_json message_json(const std::string& channel, const reflection::Fields& fields);
+
+// One text; what is no UTF-8 in it is replaced.
+std::string json_text(const nlohmann::ordered_json& json);
+
+}  // namespace markservo::bus_top

@@ -1,0 +1,139 @@
+#include "services/log-tool/channel_statistics.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace markservo::log_tool {
+namespace {
+
+using reflection::DecodedMessage;
+using reflection::Field;
+using reflection::integer_in;
+using reflection::Kind;
+using reflection::MessageType;
+
+// A damaged log's times may be anything: their difference need not fit an integer.
+double seconds(std::int64_t from, std::int64_t to) {
+  return 1e-6 * (static_cast<double>(to) - static_cast<double>(from));
+}
+
+struct SessionRecord {
+  std::int64_t seq = 0;
+  std::int64_t utime = 0;
+};
+
+// Messages missing between two that follow each other; a log's numbers may be anything, and so may their difference.
+std::int64_t sequence_gap(std::int64_t before, std::int64_t after) {
+  constexpr std::int64_t kMostBelievable = std::int64_t{1} << 40;
+  if (before < 0 || after > kMostBelievable) return 0;
+  return after - before - 1;
+}
+
+class ChannelStatistics {
+ public:
+  ChannelStatistics(std::string channel, const reflection::TypeCatalog& catalog) : catalog_(catalog) {
+    summary_.channel = std::move(channel);
+  }
+
+  void add(const Event& event) {
+    note_time(event.utime);
+    ++summary_.events;
+    summary_.bytes += static_cast<std::int64_t>(event.data.size);
+    std::uint64_t fingerprint = 0;
+    if (!reflection::read_fingerprint(event.data.data, event.data.size, &fingerprint)) {
+      ++summary_.undecodable;
+      return;
+    }
+    if (summary_.fingerprint == 0) note_type(fingerprint);
+    if (fingerprint != summary_.fingerprint) ++summary_.other_types;
+    if (catalog_.find(fingerprint) == nullptr) return;
+    const DecodedMessage message = reflection::decode(catalog_, event.data.data, event.data.size);
+    if (!message.error.empty()) {
+      ++summary_.undecodable;
+    } else if (fingerprint == summary_.fingerprint && summary_.lost) {
+      note_sequence(message.fields);
+    }
+  }
+
+  ChannelSummary summary() const { return summary_; }
+
+ private:
+  void note_time(std::int64_t utime) {
+    if (summary_.events == 0) summary_.first_utime = summary_.last_utime = newest_ = utime;
+    summary_.longest_gap = std::max(summary_.longest_gap, seconds(newest_, utime));
+    newest_ = utime;
+    summary_.first_utime = std::min(summary_.first_utime, utime);
+    summary_.last_utime = std::max(summary_.last_utime, utime);
+  }
+
+  void note_type(std::uint64_t fingerprint) {
+    summary_.fingerprint = fingerprint;
+    const MessageType* type = catalog_.find(fingerprint);
+    if (type == nullptr) return;
+    summary_.type = type->name;
+    const auto has = [type](const char* name) {
+      return std::any_of(type->fields.begin(), type->fields.end(), [name](const Field& field) {
+        return field.name == name && field.kind == Kind::kInt64 && field.dimensions.empty();
+      });
+    };
+    if (has("session") && has("seq")) summary_.lost = 0;
+  }
+
+  // Each session on its own: several writers of one channel are no loss.
+  void note_sequence(const reflection::Fields& fields) {
+    const std::int64_t seq = integer_in(fields, "seq", 0);
+    const std::int64_t utime = integer_in(fields, "utime", 0);
+    const auto [record, first] = sessions_.try_emplace(integer_in(fields, "session", 0), SessionRecord{seq, utime});
+    if (first) {
+      ++summary_.sessions;
+      return;
+    }
+    if (seq > record->second.seq) *summary_.lost += sequence_gap(record->second.seq, seq);
+    if (utime < record->second.utime) ++summary_.time_reversals;
+    record->second = {std::max(seq, record->second.seq), utime};
+  }
+
+  const reflection::TypeCatalog& catalog_;
+  ChannelSummary summary_;
+  std::int64_t newest_ = 0;
+  std::map<std::int64_t, SessionRecord> sessions_;
+};
+
+}  // namespace
+
+double ChannelSummary::hz() const {
+  const double span = seconds(first_utime, last_utime);
+  return events > 1 && span > 0.0 ? static_cast<double>(events - 1) / span : 0.0;
+}
+
+double LogSummary::seconds() const {
+  return log_tool::seconds(first_utime, last_utime);
+}
+
+std::int64_t LogSummary::undecodable() const {
+  std::int64_t sum = 0;
+  for (const ChannelSummary& channel : channels) sum += channel.undecodable;
+  return sum;
+}
+
+LogSummary summarise(const std::vector<Event>& events, const reflection::TypeCatalog& catalog) {
+  LogSummary summary;
+  std::map<std::string, ChannelStatistics, std::less<>> channels;
+  for (const Event& event : events) {
+    if (summary.events == 0) summary.first_utime = summary.last_utime = event.utime;
+    if (event.utime < summary.last_utime) ++summary.time_reversals;
+    summary.first_utime = std::min(summary.first_utime, event.utime);
+    summary.last_utime = std::max(summary.last_utime, event.utime);
+    ++summary.events;
+    auto channel = channels.find(event.channel);
+    if (channel == channels.end()) {
+      const std::string name(event.channel);
+      channel = channels.emplace(name, ChannelStatistics(name, catalog)).first;
+    }
+    channel->second.add(event);
+  }
+  for (const auto& entry : channels) summary.channels.push_back(entry.second.summary());
+  return summary;
+}
+
+}  // namespace markservo::log_tool

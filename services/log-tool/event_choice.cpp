@@ -1,0 +1,47 @@
+#include "services/log-tool/event_choice.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace markservo::log_tool {
+namespace {
+
+class ChannelFilter {
+ public:
+  explicit ChannelFilter(const EventChoice& choice) : all_(choice.channels.empty()) {
+    for (const std::string& text : choice.channels) wanted_.emplace_back(text, std::regex::extended);
+    for (const std::string& text : choice.without) unwanted_.emplace_back(text, std::regex::extended);
+  }
+
+  bool takes(std::string_view channel) {
+    const auto known = known_.find(channel);
+    if (known != known_.end()) return known->second;
+    const std::string name(channel);
+    const auto matches = [&name](const std::regex& regex) { return std::regex_match(name, regex); };
+    const bool taken = (all_ || std::any_of(wanted_.begin(), wanted_.end(), matches)) &&
+                       std::none_of(unwanted_.begin(), unwanted_.end(), matches);
+    known_.emplace(name, taken);
+    return taken;
+  }
+
+ private:
+  bool all_;
+  std::vector<std::regex> wanted_;
+  std::vector<std::regex> unwanted_;
+  std::map<std::string, bool, std::less<>> known_;
+};
+
+}  // namespace
+
+std::vector<Event> chosen(const std::vector<Event>& events, const EventChoice& choice) {
+  ChannelFilter filter(choice);
+  std::vector<Event> taken;
+  for (const Event& event : events) {
+    const double after = 1e-6 * (static_cast<double>(event.utime) - static_cast<double>(events.front().utime));
+    if ((choice.from && after < *choice.from) || (choice.to && after >= *choice.to)) continue;
+    if (filter.takes(event.channel)) taken.push_back(event);
+  }
+  return taken;
+}
+
+}  // namespace markservo::log_tool

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "services/log-tool/log_event.hpp"
+
+namespace markservo::log_tool {
+
+// Which events of a log are wanted.
+struct EventChoice {
+  std::optional<double> from;         // s after the log's first event
+  std::optional<double> to;           // s, that instant not included
+  std::vector<std::string> channels;  // regular expressions for the whole name; empty: all
+  std::vector<std::string> without;   // taken out again
+};
+
+// Those events, in their order. Throws std::regex_error for an expression that is none.
+std::vector<Event> chosen(const std::vector<Event>& events, const EventChoice& choice);
+
+}  // namespace markservo::log_tool

@@ -1,0 +1,106 @@
+#include "services/log-tool/export_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+
+#include "services/log-tool/csv_table.hpp"
+#include "services/log-tool/frame_pictures.hpp"
+#include "services/log-tool/log_files.hpp"
+
+namespace markservo::log_tool {
+namespace {
+
+namespace fs = std::filesystem;
+using reflection::DecodedMessage;
+using reflection::TypeCatalog;
+
+std::string file_name(std::string channel) {
+  // Neither another folder nor a hidden file, whatever a channel is called.
+  std::replace_if(
+      channel.begin(), channel.end(),
+      [](char character) { return character == '/' || static_cast<unsigned char>(character) < 0x20; }, '_');
+  return channel[0] == '.' ? "_" + channel : channel;
+}
+
+DecodedMessage decoded(const Event& event) {
+  return reflection::decode(TypeCatalog::ours(), event.data.data, event.data.size);
+}
+
+std::string write_table(const std::string& path, const std::vector<Event>& events) {
+  CsvColumns columns;
+  for (const Event& event : events) columns.learn(reflection::leaves(decoded(event).fields));
+  std::ofstream table(path);
+  table << columns.header();
+  std::size_t left_out = 0;
+  for (const Event& event : events) {
+    const DecodedMessage message = decoded(event);
+    if (message.error.empty()) {
+      table << columns.row(event.utime, reflection::leaves(message.fields));
+    } else {
+      ++left_out;
+    }
+  }
+  table.flush();
+  if (!table) throw LogFileError(path + ": cannot be written; allowed: a folder with room that can be written");
+  return fmt::format("{}: {} messages{}\n", path, events.size() - left_out,
+                     left_out > 0 ? fmt::format(", {} left out: they cannot be decoded", left_out) : "");
+}
+
+std::string write_pictures(const std::string& folder, const std::vector<Event>& events) {
+  fs::create_directories(folder);
+  int number = 0;
+  int left_out = 0;
+  for (const Event& event : events) {
+    ++number;
+    const DecodedMessage message = decoded(event);
+    const FramePictures pictures =
+        message.error.empty() ? pictures_of(message.fields) : FramePictures{message.error, {}, {}};
+    if (!pictures.error.empty()) {
+      ++left_out;
+      continue;
+    }
+    for (const auto& [side, picture] : {std::pair("left", &pictures.left), std::pair("right", &pictures.right)}) {
+      const std::string path = fmt::format("{}/{:06}_{}.png", folder, number, side);
+      if (!cv::imwrite(path, *picture)) {
+        throw LogFileError(path + ": cannot be written; allowed: a folder with room that can be written");
+      }
+    }
+  }
+  return fmt::format("{}: {} pairs of images{}\n", folder, number - left_out,
+                     left_out > 0 ? fmt::format(", {} left out: they are no images", left_out) : "");
+}
+
+}  // namespace
+
+std::string export_events(const std::vector<Event>& events, const std::string& folder) {
+  std::map<std::string, std::vector<Event>> channels;
+  for (const Event& event : events) channels[std::string(event.channel)].push_back(event);
+  std::string report;
+  try {
+    fs::create_directories(folder);
+    for (const auto& [channel, messages] : channels) {
+      std::uint64_t fingerprint = 0;
+      reflection::read_fingerprint(messages.front().data.data, messages.front().data.size, &fingerprint);
+      const reflection::MessageType* type = TypeCatalog::ours().find(fingerprint);
+      if (type == nullptr) {
+        report += fmt::format("{}: left out, {} messages of unknown type {}\n", channel, messages.size(),
+                              reflection::fingerprint_text(fingerprint));
+        continue;
+      }
+      const std::string path = folder + "/" + file_name(channel);
+      report += write_table(path + ".csv", messages);
+      if (type->name == "StereoFrame") report += write_pictures(path, messages);
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw LogFileError(folder + ": " + error.code().message() + "; allowed: a folder that can be written");
+  }
+  return report;
+}
+
+}  // namespace markservo::log_tool

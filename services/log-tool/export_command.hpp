@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "services/log-tool/log_event.hpp"
+
+namespace markservo::log_tool {
+
+// Writes CHANNEL.csv for each channel of a known type into `folder`, which is made, and each stereo frame's two images
+// as CHANNEL/000001_left.png and CHANNEL/000001_right.png. A / in a channel becomes _. Returns what was written and
+// left out, a line each. Throws LogFileError when a file cannot be written.
+std::string export_events(const std::vector<Event>& events, const std::string& folder);
+
+}  // namespace markservo::log_tool

@@ -1,0 +1,212 @@
+// Looks into LCM logs, mends them, cuts them, compares them.
+//   in: log files     out: log files, CSV, PNG, text or JSON     bus: none
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "common/reflection/type_catalog.hpp"
+#include "services/log-tool/comparison_report.hpp"
+#include "services/log-tool/event_choice.hpp"
+#include "services/log-tool/export_command.hpp"
+#include "services/log-tool/extract_config_command.hpp"
+#include "services/log-tool/info_report.hpp"
+#include "services/log-tool/log_files.hpp"
+#include "services/log-tool/log_splice.hpp"
+
+namespace {
+
+using namespace markservo::log_tool;
+using markservo::reflection::TypeCatalog;
+
+constexpr int kGood = 0;
+constexpr int kDamagedOrDifferent = 1;
+constexpr int kBadInput = 2;
+
+void print(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+struct Options {
+  std::vector<std::string> inputs;
+  std::string input;
+  std::string other;
+  std::string output;
+  bool json = false;
+  bool exact = false;
+  bool complete = false;
+  EventChoice choice;
+  ComparisonParameters comparison;
+};
+
+LogSet open_logs(const std::vector<std::string>& paths) {
+  return LogSet(paths, fit_of_our_types);
+}
+
+int info(const Options& options) {
+  const LogSet logs = open_logs(options.inputs);
+  const LogSummary summary = summarise(logs.events(), TypeCatalog::ours());
+  print(options.json ? info_json(logs, summary).dump(2) + "\n" : info_text(logs, summary));
+  return logs.damaged() ? kDamagedOrDifferent : kGood;
+}
+
+int verify(const Options& options) {
+  const LogSet logs = open_logs(options.inputs);
+  const LogSummary summary = summarise(logs.events(), TypeCatalog::ours());
+  const std::string damage = damage_text(logs, summary);
+  print(damage);
+  print(std::to_string(summary.events) + " events" + (damage.empty() ? ", no damage\n" : " can be read\n"));
+  return damage.empty() ? kGood : kDamagedOrDifferent;
+}
+
+int repair(const Options& options) {
+  const LogSet logs = open_logs({options.input});
+  const std::vector<Event> events = logs.events();
+  write_log(options.output, events);
+  std::size_t lost = 0;
+  for (const auto& file : logs.files()) {
+    for (const Damage& damage : file->damage()) lost += damage.bytes;
+  }
+  print(options.output + ": " + std::to_string(events.size()) + " events; " + std::to_string(lost) +
+        " damaged bytes left out\n");
+  return kGood;
+}
+
+int cut(const Options& options) {
+  const LogSet logs = open_logs({options.input});
+  const std::vector<Event> events = chosen(logs.events(), options.choice);
+  if (events.empty()) throw LogFileError(options.input + ": no event is chosen; allowed: times and channels it has");
+  write_log(options.output, events);
+  print(options.output + ": " + std::to_string(events.size()) + " events\n");
+  return kGood;
+}
+
+int export_log(const Options& options) {
+  const LogSet logs = open_logs({options.input});
+  print(export_events(chosen(logs.events(), options.choice), options.output));
+  return kGood;
+}
+
+int extract(const Options& options) {
+  print(extract_config(options.input, options.output));
+  return kGood;
+}
+
+int compare_logs(const Options& options) {
+  const LogSet recorded = open_logs({options.input});
+  const LogSet replayed = open_logs({options.other});
+  const std::vector<Event> before = recorded.events();
+  const std::vector<Event> now = replayed.events();
+  if (options.exact) {
+    const std::string mismatch = first_mismatch(before, now);
+    print(mismatch.empty() ? "the same " + std::to_string(now.size()) + " events\n" : mismatch + "\n");
+    return mismatch.empty() ? kGood : kDamagedOrDifferent;
+  }
+  const LogComparison comparison = compare(before, now, TypeCatalog::ours(), options.comparison);
+  print(comparison_text(comparison, options.comparison));
+  const bool same = options.complete ? comparison.complete() : comparison.as_recorded();
+  return same ? kGood : kDamagedOrDifferent;
+}
+
+int splice(const Options& options) {
+  const LogSet recorded = open_logs({options.input});
+  const LogSet derived = open_logs({options.other});
+  write_log(options.output, spliced(recorded.events(), derived.events()));
+  return kGood;
+}
+
+int types(const Options& options) {
+  nlohmann::ordered_json json;
+  for (const auto* type : TypeCatalog::ours().all()) {
+    const std::string fingerprint = markservo::reflection::fingerprint_text(type->fingerprint);
+    if (options.json) {
+      json[type->name] = fingerprint;
+    } else {
+      print(fingerprint + " " + type->name + "\n");
+    }
+  }
+  if (options.json) print(json.dump(2) + "\n");
+  return kGood;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Looks into LCM logs, mends, cuts, exports and compares them. A LOG is a file or a recording's folder.\n"
+      "Exits 0 when all is well, 1 for a damaged log or a difference, 2 for what is no log or a wrong option."};
+  app.require_subcommand(1);
+  Options options;
+  std::function<int(const Options&)> action;
+  const auto command = [&](const char* name, const char* what, std::function<int(const Options&)> run) {
+    CLI::App* sub = app.add_subcommand(name, what);
+    sub->callback([&action, run = std::move(run)] { action = run; });
+    return sub;
+  };
+  const auto add_choice = [&options](CLI::App* sub) {
+    sub->add_option("--from", options.choice.from, "s after the log's first event");
+    sub->add_option("--to", options.choice.to, "s after the log's first event, that instant not included");
+    sub->add_option("--channel", options.choice.channels, "These channels only (regular expression; may be repeated)")
+        ->allow_extra_args(false);
+    sub->add_option("--without", options.choice.without, "Not these channels")->allow_extra_args(false);
+  };
+
+  CLI::App* sub = command("info", "Channels, types, rates, gaps, losses, span, damage", info);
+  sub->add_option("LOG", options.inputs)->required();
+  sub->add_flag("--json", options.json, "JSON for programs");
+
+  sub = command("verify", "Says where the log is damaged and what cannot be decoded", verify);
+  sub->add_option("LOG", options.inputs)->required();
+
+  sub = command("repair", "Writes all events that can be read to a new log", repair);
+  sub->add_option("LOG", options.input)->required();
+  sub->add_option("NEW", options.output)->required();
+
+  sub = command("cut", "Writes a part of the log, by time and channel, to a new log", cut);
+  sub->add_option("LOG", options.input)->required();
+  sub->add_option("NEW", options.output)->required();
+  add_choice(sub);
+
+  sub = command("export", "Writes CSV per channel and PNG per stereo frame into a folder", export_log);
+  sub->add_option("LOG", options.input)->required();
+  sub->add_option("FOLDER", options.output)->required();
+  add_choice(sub);
+
+  sub = command("extract-config", "Writes the configuration files that a recording kept into a new folder", extract);
+  sub->add_option("RECORDING", options.input)->required();
+  sub->add_option("FOLDER", options.output)->required();
+
+  sub = command("compare", "Compares what a replay wrote with what was recorded", compare_logs);
+  sub->add_option("RECORDED", options.input)->required();
+  sub->add_option("REPLAYED", options.other)->required();
+  sub->add_option("--tolerance", options.comparison.tolerance, "Of numbers, absolute and relative, SI units")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  sub->add_flag("--complete", options.complete,
+                "A message that was not recorded, or recorded only, is a difference too");
+  sub->add_flag("--exact", options.exact, "Demand the same sequence of channels and payloads, byte by byte");
+
+  sub =
+      command("splice", "Replaces the channels of DERIVED in RECORDED: what the next service would have heard", splice);
+  sub->add_option("RECORDED", options.input)->required();
+  sub->add_option("DERIVED", options.other)->required();
+  sub->add_option("NEW", options.output)->required();
+
+  sub = command("types", "The message types that this build knows, with their fingerprints", types);
+  sub->add_flag("--json", options.json, "JSON for programs");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kGood : kBadInput;
+  }
+  try {
+    return action(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "log-tool: %s\n", error.what());
+    return kBadInput;
+  }
+}

@@ -1,0 +1,169 @@
+// Writes known messages at 10 Hz until it is told to stop, so that a test knows what a tool must show.
+//   SERVO_GOAL    --goal-id, --speed
+//   TARGET_POSE   one mark at x = --x, y = 0.25, z = 0.0625 m; every tenth message is left out (lost)
+//   WHEEL_ODOMETRY  by two writers
+//   JOINT_STATE   its last byte is missing: cannot be decoded
+//   FOREIGN       a type that is not ours, 24 bytes
+//   TASK_COMMAND  the first second only
+//   STEREO_FRAME  8 x 4 px
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <markservo/JointState.hpp>
+#include <markservo/ServoGoal.hpp>
+#include <markservo/StereoFrame.hpp>
+#include <markservo/TargetPose.hpp>
+#include <markservo/TaskCommand.hpp>
+#include <markservo/WheelOdometry.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/bus/bus_url.hpp"
+#include "common/bus/publisher.hpp"
+
+namespace {
+
+using markservo::bus::Publisher;
+
+volatile std::sig_atomic_t signalled = 0;
+
+struct Options {
+  std::string url = markservo::bus::kDefaultUrl;
+  int64_t goal_id = 4711;
+  double speed = 0.375;  // m/s
+  double x = 0.125;      // m
+};
+
+class SampleBus {
+ public:
+  SampleBus(lcm::LCM* lcm, const Options& options)
+      : lcm_(lcm),
+        options_(options),
+        goals_(lcm, "SERVO_GOAL", 101),
+        poses_(lcm, "TARGET_POSE", 102),
+        wheels_(lcm, "WHEEL_ODOMETRY", 103),
+        other_wheels_(lcm, "WHEEL_ODOMETRY", 104),
+        commands_(lcm, "TASK_COMMAND", 105),
+        frames_(lcm, "STEREO_FRAME", 106) {}
+
+  // All channels once, `round` counting from 0.
+  void publish(int round, int64_t utime) {
+    publish_goal(utime);
+    if (round % 10 == 9) {
+      poses_.skip();
+    } else {
+      publish_pose(utime);
+    }
+    markservo::WheelOdometry odometry{};
+    odometry.utime = utime;
+    wheels_.publish(odometry);
+    other_wheels_.publish(odometry);
+    if (round < 10) {
+      markservo::TaskCommand command{};
+      command.utime = utime;
+      command.session = 105;
+      command.command_id = 1;
+      commands_.publish(command);
+    }
+    publish_frame(utime);
+    publish_broken(utime);
+  }
+
+ private:
+  void publish_goal(int64_t utime) {
+    markservo::ServoGoal goal{};
+    goal.utime = utime;
+    goal.goal_id = options_.goal_id;
+    goal.kind = markservo::ServoGoal::SERVO;
+    goal.target = "red_book";
+    goal.tolerance = 0.001;
+    goal.speed = options_.speed;
+    goals_.publish(goal);
+  }
+
+  void publish_pose(int64_t utime) {
+    markservo::LocatedMark mark{};
+    mark.name = "red_book";
+    mark.p_C.x = options_.x;
+    mark.p_C.y = 0.25;
+    mark.p_C.z = 0.0625;
+    markservo::TargetPose pose{};
+    pose.utime = utime;
+    pose.frame_utime = utime;
+    pose.frame_session = 106;
+    pose.marks = {mark};
+    pose.num_marks = 1;
+    poses_.publish(pose);
+  }
+
+  void publish_frame(int64_t utime) {
+    markservo::StereoFrame frame{};
+    frame.utime = utime;
+    frame.width = 8;
+    frame.height = 4;
+    frame.encoding = markservo::StereoFrame::ENCODING_BGR8;
+    frame.calibration.fx = frame.calibration.fy = 500.0;
+    frame.calibration.baseline = 0.1;
+    frame.left.assign(8 * 4 * 3, 0);
+    frame.right = frame.left;
+    frame.left_size = frame.right_size = static_cast<int32_t>(frame.left.size());
+    frames_.publish(frame);
+  }
+
+  void publish_broken(int64_t utime) {
+    markservo::JointState joints{};
+    joints.utime = utime;
+    std::vector<uint8_t> bytes(static_cast<std::size_t>(joints.getEncodedSize()));
+    joints.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+    lcm_->publish("JOINT_STATE", bytes.data(), static_cast<unsigned int>(bytes.size() - 1));
+    std::array<uint8_t, 24> foreign{};
+    foreign.fill(0x5a);
+    lcm_->publish("FOREIGN", foreign.data(), static_cast<unsigned int>(foreign.size()));
+  }
+
+  lcm::LCM* lcm_;
+  Options options_;
+  Publisher<markservo::ServoGoal> goals_;
+  Publisher<markservo::TargetPose> poses_;
+  Publisher<markservo::WheelOdometry> wheels_;
+  Publisher<markservo::WheelOdometry> other_wheels_;
+  Publisher<markservo::TaskCommand> commands_;
+  Publisher<markservo::StereoFrame> frames_;
+};
+
+int64_t now_us() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Writes known messages at 10 Hz", "sample-bus");
+  app.add_option("--lcm-url", options.url, "The bus")->envname("MARKSERVO_LCM_URL");
+  app.add_option("--goal-id", options.goal_id, "SERVO_GOAL.goal_id");
+  app.add_option("--speed", options.speed, "SERVO_GOAL.speed, m/s");
+  app.add_option("--x", options.x, "TARGET_POSE.marks[0].p_C.x, m");
+  CLI11_PARSE(app, argc, argv);
+  std::signal(SIGTERM, [](int) { signalled = 1; });
+  std::signal(SIGINT, [](int) { signalled = 1; });
+  try {
+    lcm::LCM lcm(options.url);
+    if (!lcm.good()) throw std::runtime_error(options.url + " cannot be joined");
+    SampleBus bus(&lcm, options);
+    for (int round = 0; signalled == 0; ++round) {
+      bus.publish(round, now_us());
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "sample-bus: %s\n", error.what());
+    return 3;
+  }
+  return 0;
+}
