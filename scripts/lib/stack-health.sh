@@ -29,16 +29,19 @@ process_of() { supervise states "$1" | jq -r .state; }
 # await_ready start|restart SERVICE...: does it, waits until they are ready, and says how it went; returns 1 if one does
 # not run or is not ready.
 await_ready() {
-  local action=$1 everything=no settle=$patience command=() service process ready heard text failed=no
+  local action=$1 settle=$patience command=() service process ready heard text failed=no
   shift
   note_bus
-  if diff -q <(configured_services) <(printf '%s\n' "$@" | sort -u) >/dev/null; then everything=yes; fi
-  # A service alone cannot help what the others do not send.
-  if [[ $everything == no || $stack_profile == replay ]]; then settle=$settle_s; fi
+  # A part of the stack cannot help what the others do not send.
+  if [[ $may_wait == yes ]]; then
+    settle=0
+  elif [[ $services_named == yes || $stack_profile == replay ]]; then
+    settle=$settle_s
+  fi
   if [[ -n $census ]]; then
     command=(-- "$census" --lcm-url "$bus_url" --for $((${patience%.*} + 5)) --follow)
   fi
-  local ready_ones=() lines
+  local ready_ones=() waiting=() lines line
   lines=$(supervise "$action" "$patience" "$settle" "$@" "${command[@]}" 9>&-) || return 1
   while IFS=$'\t' read -r service process ready heard text; do
     if [[ $ready == true ]]; then
@@ -50,15 +53,18 @@ await_ready() {
     elif [[ $heard == false ]]; then
       failed=yes
       warn "$service runs but says nothing on the bus $bus_url: not ready after $patience s; see scripts/stack logs $service"
-    else
-      if [[ $settle == "$patience" || $text == starting* ]]; then failed=yes; fi
+    elif [[ $settle == "$patience" || $text == starting* ]]; then
+      failed=yes
       warn "$service runs but is not ready: $text"
+    else
+      waiting+=("$service ($text)")
     fi
   done < <(jq -r '[.name, .state, .ready, .heard,
     (.says // "") + (if (.reason // "") == "" then "" else ": " + .reason end)] | @tsv' <<<"$lines")
   if ((${#ready_ones[@]} > 0)); then
     if ((${#command[@]} > 0)); then say "ready: ${ready_ones[*]}"; else say "running: ${ready_ones[*]}"; fi
   fi
+  for line in "${waiting[@]}"; do say "runs, and waits for others: $line"; done
   [[ $failed == no ]]
 }
 
