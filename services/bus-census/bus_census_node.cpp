@@ -8,7 +8,7 @@
 #include "common/bus/bus.hpp"
 #include "common/bus/network_check.hpp"
 #include "common/bus/safe_decode.hpp"
-#include "common/reflection/message_value.hpp"
+#include "common/reflection/message_note.hpp"
 #include "services/bus-census/clock_reader.hpp"
 
 namespace markservo::bus_census {
@@ -42,23 +42,18 @@ ServiceWord word_of(const ServiceStatus& status, const std::string& channel) {
   return word;
 }
 
-// The type's name, session and number, where the message has them.
-void look_inside(const lcm::ReceiveBuffer& buffer, Heard* heard) {
-  const auto& catalog = reflection::TypeCatalog::ours();
-  const auto size = static_cast<std::size_t>(buffer.data_size);
-  std::uint64_t fingerprint = 0;
-  if (!reflection::read_fingerprint(buffer.data, size, &fingerprint)) return;
-  heard->hash = static_cast<int64_t>(fingerprint);
-  const reflection::MessageType* type = catalog.find(fingerprint);
-  if (type == nullptr) return;
-  heard->type = type->name;
-  const reflection::DecodedMessage decoded = reflection::decode(catalog, buffer.data, size);
-  if (!decoded.error.empty()) return;
-  const int64_t session = reflection::integer_in(decoded.fields, "session", 0);
-  if (session < 1) return;
-  heard->session = session;
-  const int64_t seq = reflection::integer_in(decoded.fields, "seq", -1);
-  if (seq >= 0) heard->seq = seq;
+Heard heard_of(const lcm::ReceiveBuffer& buffer, const std::string& channel) {
+  const auto note = reflection::note_of(reflection::TypeCatalog::ours(), buffer.data, buffer.data_size);
+  Heard heard;
+  heard.channel = channel;
+  heard.bytes = buffer.data_size;
+  heard.utime = buffer.recv_utime;
+  heard.hash = static_cast<int64_t>(note.fingerprint.value_or(0));
+  heard.type = note.type;
+  if (note.session < 1) return heard;
+  heard.session = note.session;
+  if (note.seq >= 0) heard.seq = note.seq;
+  return heard;
 }
 
 }  // namespace
@@ -75,11 +70,7 @@ void BusCensusNode::raw_handler(const lcm::ReceiveBuffer* buffer, const std::str
 }
 
 void BusCensusNode::hear(const lcm::ReceiveBuffer* buffer, const std::string& channel) {
-  Heard heard;
-  heard.channel = channel;
-  heard.bytes = buffer->data_size;
-  heard.utime = buffer->recv_utime;
-  look_inside(*buffer, &heard);
+  const Heard heard = heard_of(*buffer, channel);
   census_->hear(heard);
   if (heard.hash != ServiceStatus::getHash()) return;
   const auto decoded = bus::safe_decode<ServiceStatus>(buffer->data, static_cast<std::size_t>(buffer->data_size));

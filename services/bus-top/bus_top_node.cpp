@@ -12,7 +12,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/network_check.hpp"
-#include "common/bus_watch/message_note.hpp"
+#include "common/reflection/message_note.hpp"
 #include "services/bus-top/channel_table.hpp"
 #include "services/bus-top/field_lines.hpp"
 #include "services/bus-top/screen.hpp"
@@ -31,7 +31,7 @@ void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-std::vector<std::string> names_of(const bus_watch::BusWatch& watch) {
+std::vector<std::string> names_of(const BusWatch& watch) {
   std::vector<std::string> names;
   for (const auto& [name, channel] : watch.channels()) names.push_back(name);
   return names;
@@ -89,7 +89,7 @@ double BusTopNode::now() const {
 
 void BusTopNode::on_message(const lcm::ReceiveBuffer* buffer, const std::string& channel, BusTopNode* node) {
   if (channel.compare(0, node->prefix_.size(), node->prefix_) != 0) return;
-  const auto note = bus_watch::note_of(reflection::TypeCatalog::ours(), buffer->data, buffer->data_size);
+  const auto note = reflection::note_of(reflection::TypeCatalog::ours(), buffer->data, buffer->data_size);
   node->watch_.observe(channel.substr(node->prefix_.size()), note, buffer->data, node->now());
 }
 
@@ -128,7 +128,7 @@ int BusTopNode::print_table() {
 
 int BusTopNode::print_channel() {
   listen(options_.seconds);
-  const bus_watch::BusWatch::Channel* channel = watch_.find(options_.channel);
+  const BusWatch::Channel* channel = watch_.find(options_.channel);
   if (channel == nullptr) {
     std::string heard;
     for (const auto& [name, entry] : watch_.channels()) heard += (heard.empty() ? "" : ", ") + printable(name);

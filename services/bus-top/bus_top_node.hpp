@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/bus/bus_url.hpp"
-#include "common/bus_watch/bus_watch.hpp"
+#include "services/bus-top/bus_watch.hpp"
 #include "services/bus-top/navigation.hpp"
 
 namespace lcm {
@@ -57,7 +57,7 @@ class BusTopNode {
   std::string prefix_;  // of the robot's channels
   std::chrono::steady_clock::time_point start_;
   std::unique_ptr<lcm::LCM> lcm_;
-  bus_watch::BusWatch watch_;
+  BusWatch watch_;
 };
 
 }  // namespace markservo::bus_top

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/bus_watch/bus_watch.hpp"
+#include "services/bus-top/bus_watch.hpp"
 
 namespace markservo::bus_top {
 
@@ -23,7 +23,7 @@ struct ChannelTable {
 
 // One line a channel, by name, the columns as wide as they need. Types that are not ours are shown by fingerprint and
 // size.
-ChannelTable channel_table(const bus_watch::BusWatch& watch, double now);
+ChannelTable channel_table(const BusWatch& watch, double now);
 
 // `text` with what a terminal would obey (control characters, all that is not ASCII) as question marks: names and texts
 // come from whoever writes on the bus.

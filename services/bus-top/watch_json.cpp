@@ -15,10 +15,10 @@ nlohmann::ordered_json or_null(const std::optional<T>& value) {
 
 }  // namespace
 
-nlohmann::ordered_json watch_json(const bus_watch::BusWatch& watch, double seconds, double now) {
+nlohmann::ordered_json watch_json(const BusWatch& watch, double seconds, double now) {
   auto channels = nlohmann::ordered_json::array();
   for (const auto& [channel, entry] : watch.channels()) {
-    const bus_watch::ChannelFigures figures = entry.watch.figures(now);
+    const ChannelFigures figures = entry.watch.figures(now);
     std::optional<std::string> type;
     std::optional<std::string> hash;
     if (!figures.type.empty()) type = figures.type;

@@ -3,14 +3,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "common/bus_watch/bus_watch.hpp"
 #include "common/reflection/message_value.hpp"
+#include "services/bus-top/bus_watch.hpp"
 
 namespace markservo::bus_top {
 
 // {"seconds", "channels": [{"channel", "type" (null: not ours), "hash", "received", "bytes", "hz", "bytes_per_second",
 // "age_s", "stale", "lost", "undecodable", "writers", "sessions"}], "unwatched"}; null where a figure is not known.
-nlohmann::ordered_json watch_json(const bus_watch::BusWatch& watch, double seconds, double now);
+nlohmann::ordered_json watch_json(const BusWatch& watch, double seconds, double now);
 
 // {"channel", "type", "message"}, bytes by their number.
 nlohmann::ordered_json message_json(const std::string& channel, const reflection::Fields& fields);

@@ -8,8 +8,7 @@
 namespace markservo::bus_top {
 namespace {
 
-using bus_watch::BusWatch;
-using bus_watch::MessageNote;
+using reflection::MessageNote;
 using ::testing::HasSubstr;
 
 MessageNote pose(std::int64_t seq) {

@@ -1,13 +1,15 @@
-#include "common/bus_watch/channel_watch.hpp"
+#include "services/bus-top/channel_watch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "common/bus_watch/bus_watch.hpp"
+#include "services/bus-top/bus_watch.hpp"
 
-namespace markservo::bus_watch {
+namespace markservo::bus_top {
 namespace {
+
+using reflection::MessageNote;
 
 MessageNote note(std::size_t bytes, std::int64_t session = 0, std::int64_t seq = -1) {
   MessageNote result;
@@ -160,4 +162,4 @@ TEST(BusWatch, OnlyCountsChannelsBeyondTheLimit) {
 }
 
 }  // namespace
-}  // namespace markservo::bus_watch
+}  // namespace markservo::bus_top

@@ -1,8 +1,8 @@
-#include "common/bus_watch/bus_watch.hpp"
+#include "services/bus-top/bus_watch.hpp"
 
-namespace markservo::bus_watch {
+namespace markservo::bus_top {
 
-void BusWatch::observe(const std::string& channel, const MessageNote& note, const void* data, double now) {
+void BusWatch::observe(const std::string& channel, const reflection::MessageNote& note, const void* data, double now) {
   auto entry = channels_.find(channel);
   if (entry == channels_.end()) {
     if (channels_.size() >= kMaxChannels) {
@@ -21,4 +21,4 @@ const BusWatch::Channel* BusWatch::find(const std::string& channel) const {
   return entry == channels_.end() ? nullptr : &entry->second;
 }
 
-}  // namespace markservo::bus_watch
+}  // namespace markservo::bus_top

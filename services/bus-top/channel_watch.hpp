@@ -9,17 +9,9 @@
 #include <optional>
 #include <string>
 
-namespace markservo::bus_watch {
+#include "common/reflection/message_note.hpp"
 
-// What one message on the bus tells a watcher.
-struct MessageNote {
-  std::size_t bytes = 0;                     // of the payload
-  std::optional<std::uint64_t> fingerprint;  // none: fewer than 8 bytes
-  std::string type;                          // its name without the package; empty: not one of ours
-  bool decodes = true;                       // false: one of our types by its fingerprint, but broken; or too short
-  std::int64_t session = 0;                  // of the writer; 0: the type has none
-  std::int64_t seq = -1;                     // -1: the type has none
-};
+namespace markservo::bus_top {
 
 struct ChannelWatchParameters {
   double window = 5.0;            // s: rates and writers are of this last time; a 1 Hz channel has five messages in it
@@ -49,7 +41,7 @@ class ChannelWatch {
  public:
   explicit ChannelWatch(ChannelWatchParameters parameters = {}) : parameters_(parameters) {}
 
-  void observe(const MessageNote& note, double now);
+  void observe(const reflection::MessageNote& note, double now);
   // After the first observe().
   ChannelFigures figures(double now) const;
 
@@ -66,7 +58,7 @@ class ChannelWatch {
   void follow(std::int64_t session, std::int64_t seq, double now);
 
   ChannelWatchParameters parameters_;
-  MessageNote newest_;
+  reflection::MessageNote newest_;
   std::deque<Arrival> arrivals_;  // of the window before the newest
   std::map<std::int64_t, Writer> writers_;
   double interval_ = 0.0;  // s, the usual one; 0: not known yet
@@ -77,4 +69,4 @@ class ChannelWatch {
   std::int64_t sessions_ = 0;
 };
 
-}  // namespace markservo::bus_watch
+}  // namespace markservo::bus_top

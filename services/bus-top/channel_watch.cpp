@@ -1,8 +1,8 @@
-#include "common/bus_watch/channel_watch.hpp"
+#include "services/bus-top/channel_watch.hpp"
 
 #include <algorithm>
 
-namespace markservo::bus_watch {
+namespace markservo::bus_top {
 namespace {
 
 constexpr std::size_t kMaxArrivals = 4096;  // in the window; a flood's rate is told by its last ones
@@ -11,7 +11,7 @@ constexpr std::int64_t kMaxLost = std::int64_t{1} << 53;  // a hostile writer's 
 
 }  // namespace
 
-void ChannelWatch::observe(const MessageNote& note, double now) {
+void ChannelWatch::observe(const reflection::MessageNote& note, double now) {
   newest_ = note;
   ++received_;
   bytes_ += static_cast<std::int64_t>(note.bytes);
@@ -71,4 +71,4 @@ ChannelFigures ChannelWatch::figures(double now) const {
   return figures;
 }
 
-}  // namespace markservo::bus_watch
+}  // namespace markservo::bus_top

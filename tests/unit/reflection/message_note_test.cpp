@@ -1,4 +1,4 @@
-#include "common/bus_watch/message_note.hpp"
+#include "common/reflection/message_note.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <markservo/TargetPose.hpp>
 #include <vector>
 
-namespace markservo::bus_watch {
+namespace markservo::reflection {
 namespace {
 
 using reflection::TypeCatalog;
@@ -64,4 +64,4 @@ TEST(MessageNote, BlamesWhatIsTooShortForAnyType) {
 }
 
 }  // namespace
-}  // namespace markservo::bus_watch
+}  // namespace markservo::reflection

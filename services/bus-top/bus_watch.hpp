@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "common/bus_watch/channel_watch.hpp"
+#include "services/bus-top/channel_watch.hpp"
 
-namespace markservo::bus_watch {
+namespace markservo::bus_top {
 
 // All channels of a bus, each with its newest message. No clock: `now` is seconds of any clock that does not go back.
 class BusWatch {
@@ -19,7 +19,7 @@ class BusWatch {
   };
 
   // `data` is copied. Channels beyond the first kMaxChannels are counted only.
-  void observe(const std::string& channel, const MessageNote& note, const void* data, double now);
+  void observe(const std::string& channel, const reflection::MessageNote& note, const void* data, double now);
 
   const std::map<std::string, Channel>& channels() const { return channels_; }
   const Channel* find(const std::string& channel) const;  // null: never heard
@@ -33,4 +33,4 @@ class BusWatch {
   std::int64_t unwatched_ = 0;
 };
 
-}  // namespace markservo::bus_watch
+}  // namespace markservo::bus_top
