@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -13,11 +12,11 @@ namespace markservo::log_tool {
 struct EventChoice {
   std::optional<double> from;         // s after the log's first event
   std::optional<double> to;           // s, that instant not included
-  std::vector<std::string> channels;  // regular expressions for the whole name; empty: all
+  std::vector<std::string> channels;  // extended regular expressions (POSIX) for the whole name; empty: all
   std::vector<std::string> without;   // taken out again
 };
 
-// Those events, in their order. Throws std::regex_error for an expression that is none.
+// Those events, in their order. Throws std::invalid_argument for an expression that is none.
 std::vector<Event> chosen(const std::vector<Event>& events, const EventChoice& choice);
 
 }  // namespace markservo::log_tool
