@@ -23,8 +23,9 @@ check_executables() {
   if [[ ! -f $build_dir/build.ninja ]] || ! command -v ninja >/dev/null; then
     well programs "executables are there; nothing tells whether they are newer than their sources"
   elif ((${#targets[@]} > 0)); then
-    # ninja knows what each was made from; it builds nothing here.
-    plan=$(ninja -C "$build_dir" -n "${targets[@]}" 2>&1) || true
+    # ninja knows what each was made from; it builds nothing here. By its relative name it would first plan to make
+    # build.ninja anew, for CMake's globs, and tell no more.
+    plan=$(ninja -C "$build_dir" -f "$(realpath -- "$build_dir")/build.ninja" -n "${targets[@]}" 2>&1) || true
     if grep -q 'no work to do' <<<"$plan"; then
       well programs "executables are newer than their sources"
     else
