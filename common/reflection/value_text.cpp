@@ -1,5 +1,6 @@
 #include "common/reflection/value_text.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <type_traits>
 
@@ -71,6 +72,12 @@ std::string text_of(const Value& value) {
         return {};
       },
       value.content);
+}
+
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char character) { return character < ' ' || character > '~'; }, '?');
+  return text;
 }
 
 nlohmann::ordered_json json_of(const Fields& fields) {

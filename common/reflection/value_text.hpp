@@ -20,6 +20,9 @@ std::vector<Leaf> leaves(const Fields& fields);
 // A plain value as text: numbers so that they read back to the same value, bytes by their number ("614400 bytes").
 std::string text_of(const Value& value);
 
+// A text from the bus or a log for a terminal, which control characters could command: all but printable ASCII is "?".
+std::string printable(std::string text);
+
 // The message as JSON, bytes as {"bytes": number}; numbers that JSON cannot hold (NaN, infinite) as null.
 nlohmann::ordered_json json_of(const Fields& fields);
 

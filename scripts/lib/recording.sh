@@ -5,8 +5,7 @@ default_lcm_url='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'
 # What raw frames need, as common/bus says.
 receive_buffer_for_raw_frames=2097152
 
-# new_dated_folder: makes logs/TIME, lets logs/latest point to it and leaves its path in `folder`; waits while somebody
-# else has taken the second.
+# new_dated_folder: makes logs/TIME and leaves its path in `folder`; waits while somebody else has taken the second.
 new_dated_folder() {
   local errors
   if ! errors=$(mkdir -p -- "$repository/logs" 2>&1); then fail_with 2 "$repository/logs: cannot be made: ${errors##*: }"; fi
@@ -16,7 +15,6 @@ new_dated_folder() {
     sleep 0.2
     folder=$repository/logs/$(date +%Y-%m-%d_%H-%M-%S)
   done
-  point_latest_to "$folder"
 }
 
 # point_latest_to FOLDER: logs/latest, for a folder in logs/.
@@ -61,7 +59,7 @@ channels_regex() {
 }
 
 # parts FOLDER: the names of the recording's files, in the order in which they were written, one a line.
-parts() { find "$1" -maxdepth 1 -type f -name 'log.lcm*' -printf '%f\n' | sort -V; }
+parts() { find "$1" -maxdepth 1 -type f -regextype posix-extended -regex '.*/log\.lcm(\.[0-9]+)?' -printf '%f\n' | sort -V; }
 
 # megabytes BYTES
 megabytes() { printf '%d\n' $(($1 / 1000000)); }

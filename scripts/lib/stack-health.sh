@@ -3,7 +3,7 @@
 # bus. To be sourced after supervision.sh; works on scripts/stack's variables.
 
 default_bus='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'
-listen_s=1.2 # every service speaks once a second
+listen_s=1.6 # every service speaks once a second, later on a busy host
 settle_s=2   # for services that wait for others, where that is no failure
 
 # remember_bus: notes for later calls where the services of this stack can be heard, from this call's options.
@@ -42,6 +42,8 @@ await_ready() {
     command=(-- "$census" --lcm-url "$bus_url" --for $((${patience%.*} + 5)) --follow)
   fi
   local ready_ones=() waiting=() lines line
+  # All that this call changes is written: who stops the stack must not wait until it is ready.
+  flock -u 9
   lines=$(supervise "$action" "$patience" "$settle" "$@" "${command[@]}" 9>&-) || return 1
   while IFS=$'\t' read -r service process ready heard text; do
     if [[ $ready == true ]]; then

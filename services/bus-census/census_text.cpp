@@ -4,15 +4,17 @@
 #include <cstdio>
 #include <vector>
 
+#include "common/reflection/type_catalog.hpp"
+#include "common/reflection/value_text.hpp"
+
 namespace markservo::bus_census {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+// As text: JSON's numbers hold 53 bits.
 std::string hex(int64_t number) {
-  char text[24];
-  std::snprintf(text, sizeof text, "0x%016llx", static_cast<unsigned long long>(number));
-  return text;
+  return reflection::fingerprint_text(static_cast<std::uint64_t>(number));
 }
 
 Json text_or_null(const std::string& text) {
@@ -64,13 +66,6 @@ Json json_of(const ChannelReport& channel) {
   return json;
 }
 
-// What others sent is printed on a terminal.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char byte) { return byte < 0x20 || byte == 0x7f; }, '?');
-  return text;
-}
-
 using Row = std::vector<std::string>;
 
 // Columns as wide as their widest cell; the first and the last to the left, the others to the right.
@@ -105,7 +100,7 @@ std::string remarks_of(const ServiceReport& service) {
   for (const ChannelWord& word : service.newest.channels) {
     if (word.second_writer) text += "; a second writer on " + word.channel;
   }
-  return printable(text);
+  return reflection::printable(text);
 }
 
 Row row_of(const ServiceReport& service) {
@@ -120,10 +115,10 @@ Row row_of(const ServiceReport& service) {
     latency = std::max(latency, word.latency_p99);
   }
   const ServiceWord& word = service.newest;
-  return {printable((word.robot.empty() ? "" : word.robot + "/") + word.name),
-          printable(word.host),
+  return {reflection::printable((word.robot.empty() ? "" : word.robot + "/") + word.name),
+          reflection::printable(word.host),
           std::to_string(word.pid),
-          printable(word.version),
+          reflection::printable(word.version),
           std::to_string(skipped),
           std::to_string(lost),
           std::to_string(refused),
@@ -138,9 +133,12 @@ Row row_of(const ChannelReport& channel) {
   }
   if (channel.two_writers) writers += "; TWO WRITE AT THE SAME TIME";
   if (channel.several_types) writers += "; SEVERAL TYPES";
-  return {printable(channel.channel),   channel.type.empty() ? "unknown " + hex(channel.hash) : channel.type,
-          number(channel.hz),           number(1e-3 * channel.bytes_per_s),
-          std::to_string(channel.lost), printable(writers)};
+  return {reflection::printable(channel.channel),
+          channel.type.empty() ? "unknown " + hex(channel.hash) : channel.type,
+          number(channel.hz),
+          number(1e-3 * channel.bytes_per_s),
+          std::to_string(channel.lost),
+          reflection::printable(writers)};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "common/bus/bus.hpp"
 #include "common/bus/network_check.hpp"
 #include "common/reflection/message_note.hpp"
+#include "common/reflection/value_text.hpp"
 #include "services/bus-top/channel_table.hpp"
 #include "services/bus-top/field_lines.hpp"
 #include "services/bus-top/screen.hpp"
@@ -131,15 +132,16 @@ int BusTopNode::print_channel() {
   const BusWatch::Channel* channel = watch_.find(options_.channel);
   if (channel == nullptr) {
     std::string heard;
-    for (const auto& [name, entry] : watch_.channels()) heard += (heard.empty() ? "" : ", ") + printable(name);
-    fmt::print(stderr, "bus-top: no message on {} within {} s; heard: {}\n", printable(options_.channel),
+    for (const auto& [name, entry] : watch_.channels())
+      heard += (heard.empty() ? "" : ", ") + reflection::printable(name);
+    fmt::print(stderr, "bus-top: no message on {} within {} s; heard: {}\n", reflection::printable(options_.channel),
                options_.seconds, heard.empty() ? "nothing" : heard);
     return 1;
   }
   const auto message =
       reflection::decode(reflection::TypeCatalog::ours(), channel->newest.data(), channel->newest.size());
   if (!message.error.empty()) {
-    fmt::print(stderr, "bus-top: {}: {}\n", printable(options_.channel), message.error);
+    fmt::print(stderr, "bus-top: {}: {}\n", reflection::printable(options_.channel), message.error);
     return 1;
   }
   if (options_.json) {
@@ -157,7 +159,7 @@ void BusTopNode::draw(Screen& screen, const Navigation& navigation) const {
   std::string head = table.heading;
   std::string foot = "arrows select, Enter shows the fields, q quits   " + options_.url;
   if (navigation.in_fields()) {
-    head = printable(navigation.opened()) + ": nothing heard yet";
+    head = reflection::printable(navigation.opened()) + ": nothing heard yet";
     foot = "arrows scroll, Escape goes back, q quits";
     if (const auto* channel = watch_.find(navigation.opened())) {
       const auto line = std::find(names.begin(), names.end(), navigation.opened());

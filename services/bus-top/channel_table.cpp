@@ -6,6 +6,7 @@
 #include <array>
 
 #include "common/reflection/type_catalog.hpp"
+#include "common/reflection/value_text.hpp"
 
 namespace markservo::bus_top {
 namespace {
@@ -39,12 +40,6 @@ std::string figures_text(const ChannelFigures& figures) {
 
 }  // namespace
 
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char character) { return character < ' ' || character > '~'; }, '?');
-  return text;
-}
-
 std::string size_text(double bytes) {
   constexpr std::array<const char*, 5> kUnits{"B", "kB", "MB", "GB", "TB"};
   std::size_t unit = 0;
@@ -63,7 +58,7 @@ ChannelTable channel_table(const BusWatch& watch, double now) {
   for (const auto& [channel, entry] : watch.channels()) {
     const ChannelFigures figures = entry.watch.figures(now);
     table.lines.push_back({channel, {}, figures.stale, figures.undecodable > 0 || figures.lost.value_or(0) > 0});
-    rows.push_back({printable(channel), type_text(figures), figures_text(figures)});
+    rows.push_back({reflection::printable(channel), type_text(figures), figures_text(figures)});
   }
   std::size_t channel_width = 0;
   std::size_t type_width = 0;

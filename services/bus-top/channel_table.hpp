@@ -25,10 +25,6 @@ struct ChannelTable {
 // size.
 ChannelTable channel_table(const BusWatch& watch, double now);
 
-// `text` with what a terminal would obey (control characters, all that is not ASCII) as question marks: names and texts
-// come from whoever writes on the bus.
-std::string printable(std::string text);
-
 // "1.84 MB", "614 kB", "96 B": three digits, powers of 1000.
 std::string size_text(double bytes);
 

@@ -64,7 +64,7 @@ class Writer {
     if (const auto* bytes = std::get_if<reflection::Bytes>(&value.content)) {
       return size_text(static_cast<double>(bytes->size));
     }
-    const std::string text = printable(reflection::text_of(value));
+    const std::string text = reflection::printable(reflection::text_of(value));
     return std::holds_alternative<std::string>(value.content) ? '"' + text + '"' : text;
   }
 

@@ -44,9 +44,16 @@ class ChannelStatistics {
       ++summary_.undecodable;
       return;
     }
-    if (summary_.fingerprint == 0) note_type(fingerprint);
-    if (fingerprint != summary_.fingerprint) ++summary_.other_types;
-    if (catalog_.find(fingerprint) == nullptr) return;
+    const bool known = catalog_.find(fingerprint) != nullptr;
+    // The first known type is the channel's: one damaged fingerprint must not make all others strangers.
+    if (with_type_ == 0 || (summary_.type.empty() && known)) {
+      note_type(fingerprint);
+      summary_.other_types = with_type_;
+    } else if (fingerprint != summary_.fingerprint) {
+      ++summary_.other_types;
+    }
+    ++with_type_;
+    if (!known) return;
     const DecodedMessage message = reflection::decode(catalog_, event.data.data, event.data.size);
     if (!message.error.empty()) {
       ++summary_.undecodable;
@@ -95,6 +102,7 @@ class ChannelStatistics {
 
   const reflection::TypeCatalog& catalog_;
   ChannelSummary summary_;
+  std::int64_t with_type_ = 0;  // messages long enough to have one
   std::int64_t newest_ = 0;
   std::map<std::int64_t, SessionRecord> sessions_;
 };

@@ -13,7 +13,7 @@ namespace markservo::log_tool {
 
 struct ChannelSummary {
   std::string channel;
-  std::uint64_t fingerprint = 0;  // of the first message; 0 when it has none
+  std::uint64_t fingerprint = 0;  // of the first message of a known type, else of the first
   std::string type;               // empty: unknown
   std::int64_t events = 0;
   std::int64_t bytes = 0;        // of the messages
@@ -21,7 +21,7 @@ struct ChannelSummary {
   std::int64_t last_utime = 0;
   double longest_gap = 0.0;         // s between two events
   std::int64_t undecodable = 0;     // messages of a known type that cannot be decoded, and of no type
-  std::int64_t other_types = 0;     // messages of another type than the first
+  std::int64_t other_types = 0;     // messages of another type
   std::int64_t time_reversals = 0;  // messages with an earlier utime than the one before, of the same session
   std::int64_t sessions = 0;
   std::optional<std::int64_t> lost;  // gaps in seq, of each session; nothing where the type has no session and seq

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/reflection/value_text.hpp"
+
 namespace markservo::log_tool {
 namespace {
+
+using reflection::printable;
 
 std::string largest_text(const ChannelComparison& channel) {
   if (channel.largest == 0.0) return "";
@@ -22,9 +26,9 @@ std::string comparison_text(const LogComparison& comparison, const ComparisonPar
   std::string text = fmt::format("{:<{}}  {:>7}  {:>7}  {:>9}  {:>7}  {:>7}  {:>7}  {}\n", "channel", wide, "equal",
                                  "within", "different", "missing", "extra", "outside", "largest difference");
   for (const auto& [name, channel] : comparison.channels) {
-    std::string line =
-        fmt::format("{:<{}}  {:>7}  {:>7}  {:>9}  {:>7}  {:>7}  {:>7}  {}", name, wide, channel.equal, channel.within,
-                    channel.different, channel.missing, channel.extra, channel.outside, largest_text(channel));
+    std::string line = fmt::format("{:<{}}  {:>7}  {:>7}  {:>9}  {:>7}  {:>7}  {:>7}  {}", printable(name), wide,
+                                   channel.equal, channel.within, channel.different, channel.missing, channel.extra,
+                                   channel.outside, largest_text(channel));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
@@ -32,7 +36,8 @@ std::string comparison_text(const LogComparison& comparison, const ComparisonPar
   if (comparison.first) {
     const FieldDifference& first = *comparison.first;
     text += fmt::format("first difference: {} utime {} {}: recorded {}, replayed {}\n", first.channel, first.utime,
-                        first.field.empty() ? "message" : first.field, first.recorded, first.replayed);
+                        first.field.empty() ? "message" : first.field, printable(first.recorded),
+                        printable(first.replayed));
   }
   return text;
 }
@@ -40,10 +45,11 @@ std::string comparison_text(const LogComparison& comparison, const ComparisonPar
 std::string first_mismatch(const std::vector<Event>& one, const std::vector<Event>& other) {
   for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
     if (one[i].channel != other[i].channel) {
-      return fmt::format("event {}: channel {} here, {} there", i, one[i].channel, other[i].channel);
+      return fmt::format("event {}: channel {} here, {} there", i, printable(std::string(one[i].channel)),
+                         printable(std::string(other[i].channel)));
     }
     if (one[i].data.text() != other[i].data.text()) {
-      return fmt::format("event {}: {} differs in its payload", i, one[i].channel);
+      return fmt::format("event {}: {} differs in its payload", i, printable(std::string(one[i].channel)));
     }
   }
   if (one.size() != other.size()) return fmt::format("{} events here, {} there", one.size(), other.size());

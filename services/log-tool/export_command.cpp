@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
+#include <set>
 
 #include "services/log-tool/csv_table.hpp"
 #include "services/log-tool/frame_pictures.hpp"
@@ -20,16 +21,41 @@ namespace fs = std::filesystem;
 using reflection::DecodedMessage;
 using reflection::TypeCatalog;
 
-std::string file_name(std::string channel) {
-  // Neither another folder nor a hidden file, whatever a channel is called.
-  std::replace_if(
-      channel.begin(), channel.end(),
-      [](char character) { return character == '/' || static_cast<unsigned char>(character) < 0x20; }, '_');
-  return channel[0] == '.' ? "_" + channel : channel;
-}
+// A name of its own for each channel: neither another folder nor a hidden file, whatever the channel is called, and no
+// longer than a file's name may be.
+class FileNames {
+ public:
+  std::string next(const std::string& channel) {
+    constexpr std::size_t kLongest = 100;
+    std::string name = reflection::printable(channel).substr(0, kLongest);
+    std::replace(name.begin(), name.end(), '/', '_');
+    if (name.empty() || name[0] == '.') name.insert(0, "_");
+    std::string free = name;
+    for (int number = 2; !used_.insert(free).second; ++number) free = fmt::format("{}.{}", name, number);
+    return free;
+  }
+
+ private:
+  std::set<std::string> used_;
+};
 
 DecodedMessage decoded(const Event& event) {
   return reflection::decode(TypeCatalog::ours(), event.data.data, event.data.size);
+}
+
+std::uint64_t fingerprint_of(const Event& event) {
+  std::uint64_t fingerprint = 0;
+  reflection::read_fingerprint(event.data.data, event.data.size, &fingerprint);
+  return fingerprint;
+}
+
+// The first known type among them; null when there is none.
+const reflection::MessageType* type_of(const std::vector<Event>& messages) {
+  for (const Event& message : messages) {
+    const reflection::MessageType* type = TypeCatalog::ours().find(fingerprint_of(message));
+    if (type != nullptr) return type;
+  }
+  return nullptr;
 }
 
 std::string write_table(const std::string& path, const std::vector<Event>& events) {
@@ -82,18 +108,18 @@ std::string export_events(const std::vector<Event>& events, const std::string& f
   std::map<std::string, std::vector<Event>> channels;
   for (const Event& event : events) channels[std::string(event.channel)].push_back(event);
   std::string report;
+  FileNames names;
   try {
     fs::create_directories(folder);
+    if (!fs::is_empty(folder)) throw LogFileError(folder + ": is not empty; allowed: a new or empty folder");
     for (const auto& [channel, messages] : channels) {
-      std::uint64_t fingerprint = 0;
-      reflection::read_fingerprint(messages.front().data.data, messages.front().data.size, &fingerprint);
-      const reflection::MessageType* type = TypeCatalog::ours().find(fingerprint);
+      const reflection::MessageType* type = type_of(messages);
       if (type == nullptr) {
-        report += fmt::format("{}: left out, {} messages of unknown type {}\n", channel, messages.size(),
-                              reflection::fingerprint_text(fingerprint));
+        report += fmt::format("{}: left out, {} messages of unknown type {}\n", reflection::printable(channel),
+                              messages.size(), reflection::fingerprint_text(fingerprint_of(messages.front())));
         continue;
       }
-      const std::string path = folder + "/" + file_name(channel);
+      const std::string path = folder + "/" + names.next(channel);
       report += write_table(path + ".csv", messages);
       if (type->name == "StereoFrame") report += write_pictures(path, messages);
     }

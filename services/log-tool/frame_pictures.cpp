@@ -19,7 +19,13 @@ cv::Mat picture(const reflection::Fields& frame, const char* side) {
   if (bytes == nullptr || bytes->size == 0) return {};
   // OpenCV's matrices take no const data; both only read it.
   auto* data = const_cast<std::uint8_t*>(bytes->data);
-  if (encoding == kJpeg) return cv::imdecode(cv::Mat(1, static_cast<int>(bytes->size), CV_8U, data), cv::IMREAD_COLOR);
+  if (encoding == kJpeg) {
+    try {
+      return cv::imdecode(cv::Mat(1, static_cast<int>(bytes->size), CV_8U, data), cv::IMREAD_COLOR);
+    } catch (const cv::Exception&) {
+      return {};  // it claims an absurd size
+    }
+  }
   if (encoding != kBgr8 || width < 1 || height < 1 || width > kMostPixels || height > kMostPixels) return {};
   if (bytes->size != static_cast<std::size_t>(3 * width * height)) return {};
   return cv::Mat(static_cast<int>(height), static_cast<int>(width), CV_8UC3, data);

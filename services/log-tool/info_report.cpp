@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "common/reflection/type_catalog.hpp"
+#include "common/reflection/value_text.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -63,9 +64,10 @@ std::string info_text(const LogSet& logs, const LogSummary& summary) {
                       "events", "size", "Hz", "gap s", "lost");
   for (const ChannelSummary& channel : summary.channels) {
     const std::string lost = channel.lost ? std::to_string(*channel.lost) : "-";
-    std::string line = fmt::format("{:<{}}  {:<{}}  {:>8}  {:>9}  {:>8.2f}  {:>8.3f}  {:>6}  {}", channel.channel, wide,
-                                   type_text(channel), wide_type, channel.events, size_text(channel.bytes),
-                                   channel.hz(), channel.longest_gap, lost, notes(channel));
+    std::string line =
+        fmt::format("{:<{}}  {:<{}}  {:>8}  {:>9}  {:>8.2f}  {:>8.3f}  {:>6}  {}",
+                    reflection::printable(channel.channel), wide, type_text(channel), wide_type, channel.events,
+                    size_text(channel.bytes), channel.hz(), channel.longest_gap, lost, notes(channel));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
@@ -119,8 +121,8 @@ std::string damage_text(const LogSet& logs, const LogSummary& summary) {
   }
   for (const ChannelSummary& channel : summary.channels) {
     if (channel.undecodable == 0) continue;
-    text +=
-        fmt::format("{}: {} of {} messages cannot be decoded\n", channel.channel, channel.undecodable, channel.events);
+    text += fmt::format("{}: {} of {} messages cannot be decoded\n", reflection::printable(channel.channel),
+                        channel.undecodable, channel.events);
   }
   return text;
 }

@@ -46,6 +46,10 @@ double distance(const Leaf& a, const Leaf& b) {
   return std::isfinite(*x) && std::isfinite(*y) ? std::abs(*x - *y) : INFINITY;
 }
 
+double seconds(std::int64_t from, std::int64_t to) {
+  return 1e-6 * (static_cast<double>(to) - static_cast<double>(from));
+}
+
 double magnitude(const Leaf& leaf) {
   const auto* number = std::get_if<double>(&leaf.value.content);
   return number == nullptr || !std::isfinite(*number) ? 0.0 : std::abs(*number);
@@ -57,20 +61,18 @@ class Comparer {
       : catalog_(catalog), parameters_(parameters) {}
 
   LogComparison run(const std::vector<Event>& recorded, const std::vector<Event>& replayed) {
-    std::map<std::string, std::pair<std::int64_t, std::int64_t>> spans;
-    for (const Event& event : replayed) {
-      const std::int64_t utime = message_utime(event);
-      const auto [span, first] = spans.try_emplace(std::string(event.channel), utime, utime);
-      if (!first) span->second = {std::min(span->second.first, utime), std::max(span->second.second, utime)};
-    }
+    std::map<std::string, std::int64_t> begins;  // utime of each channel's first replayed message
+    for (const Event& event : replayed) begins.try_emplace(std::string(event.channel), message_utime(event));
+    std::map<std::string, std::int64_t> recorded_begins;
     std::map<MessageKey, const Event*> counterparts;
     MessageKeys recorded_keys;
     for (const Event& event : recorded) {
-      const auto span = spans.find(std::string(event.channel));
-      if (span == spans.end()) continue;
+      const auto begin = begins.find(std::string(event.channel));
+      if (begin == begins.end()) continue;
       const std::int64_t utime = message_utime(event);
-      if (utime < span->second.first || utime > span->second.second) {
-        ++result_.channels[span->first].outside;
+      const std::int64_t recorded_begin = recorded_begins.try_emplace(begin->first, utime).first->second;
+      if (utime < begin->second && seconds(recorded_begin, utime) <= parameters_.start_up) {
+        ++result_.channels[begin->first].outside;
       } else {
         counterparts.emplace(recorded_keys.next(event), &event);
       }
@@ -143,11 +145,13 @@ class Comparer {
 }  // namespace
 
 bool LogComparison::as_recorded() const {
-  return std::all_of(channels.begin(), channels.end(), [](const auto& entry) { return entry.second.as_recorded(); });
+  return !channels.empty() &&
+         std::all_of(channels.begin(), channels.end(), [](const auto& entry) { return entry.second.as_recorded(); });
 }
 
 bool LogComparison::complete() const {
-  return std::all_of(channels.begin(), channels.end(), [](const auto& entry) { return entry.second.complete(); });
+  return !channels.empty() &&
+         std::all_of(channels.begin(), channels.end(), [](const auto& entry) { return entry.second.complete(); });
 }
 
 LogComparison compare(const std::vector<Event>& recorded, const std::vector<Event>& replayed,

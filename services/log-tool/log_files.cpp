@@ -25,10 +25,19 @@ namespace fs = std::filesystem;
 
 constexpr const char* kALog = "an LCM log, as lcm-logger writes it";
 
+// "log.lcm", or "log.lcm." and digits.
+bool is_part(const std::string& name) {
+  static const std::string kName = "log.lcm";
+  if (name.rfind(kName, 0) != 0) return false;
+  const std::string rest = name.substr(kName.size());
+  return rest.empty() ||
+         (rest.size() > 1 && rest[0] == '.' && rest.find_first_not_of("0123456789", 1) == std::string::npos);
+}
+
 std::vector<std::string> parts_of(const std::string& folder) {
   std::vector<std::string> parts;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().filename().string().rfind("log.lcm", 0) == 0) parts.push_back(entry.path().string());
+    if (is_part(entry.path().filename().string())) parts.push_back(entry.path().string());
   }
   // log.lcm.99 comes before log.lcm.100.
   std::sort(parts.begin(), parts.end(), [](const std::string& a, const std::string& b) {
@@ -41,10 +50,14 @@ std::vector<std::string> parts_of(const std::string& folder) {
 }  // namespace
 
 LogFile::LogFile(const std::string& path, const FitCheck& fit) : path_(path) {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe nobody writes to must not hold us
   if (file < 0) complain(path, std::strerror(errno), kALog);
   struct stat status {};
-  if (fstat(file, &status) == 0 && S_ISREG(status.st_mode)) size_ = static_cast<std::size_t>(status.st_size);
+  if (fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
+    close(file);
+    complain(path, "is no regular file", kALog);
+  }
+  size_ = static_cast<std::size_t>(status.st_size);
   if (size_ > 0) {
     map_ = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file, 0);
   }

@@ -30,6 +30,11 @@ void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
+// Names in a damaged log need not be UTF-8.
+void print(const nlohmann::ordered_json& json) {
+  print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
 struct Options {
   std::vector<std::string> inputs;
   std::string input;
@@ -49,7 +54,11 @@ LogSet open_logs(const std::vector<std::string>& paths) {
 int info(const Options& options) {
   const LogSet logs = open_logs(options.inputs);
   const LogSummary summary = summarise(logs.events(), TypeCatalog::ours());
-  print(options.json ? info_json(logs, summary).dump(2) + "\n" : info_text(logs, summary));
+  if (options.json) {
+    print(info_json(logs, summary));
+  } else {
+    print(info_text(logs, summary));
+  }
   return logs.damaged() ? kDamagedOrDifferent : kGood;
 }
 
@@ -128,7 +137,7 @@ int types(const Options& options) {
       print(fingerprint + " " + type->name + "\n");
     }
   }
-  if (options.json) print(json.dump(2) + "\n");
+  if (options.json) print(json);
   return kGood;
 }
 
@@ -147,8 +156,10 @@ int main(int argc, char** argv) {
     return sub;
   };
   const auto add_choice = [&options](CLI::App* sub) {
-    sub->add_option("--from", options.choice.from, "s after the log's first event");
-    sub->add_option("--to", options.choice.to, "s after the log's first event, that instant not included");
+    // A range also refuses what is no number.
+    sub->add_option("--from", options.choice.from, "s after the log's first event")->check(CLI::Range(-1e9, 1e9));
+    sub->add_option("--to", options.choice.to, "s after the log's first event, that instant not included")
+        ->check(CLI::Range(-1e9, 1e9));
     sub->add_option("--channel", options.choice.channels, "These channels only (regular expression; may be repeated)")
         ->allow_extra_args(false);
     sub->add_option("--without", options.choice.without, "Not these channels")->allow_extra_args(false);
@@ -183,7 +194,7 @@ int main(int argc, char** argv) {
   sub->add_option("RECORDED", options.input)->required();
   sub->add_option("REPLAYED", options.other)->required();
   sub->add_option("--tolerance", options.comparison.tolerance, "Of numbers, absolute and relative, SI units")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();
   sub->add_flag("--complete", options.complete,
                 "A message that was not recorded, or recorded only, is a difference too");

@@ -43,7 +43,7 @@ TEST(LogComparison, NamesTheFirstDifferenceWithBothValues) {
             std::string::npos);
 }
 
-TEST(LogComparison, TellsAMissingMessageFromOneThatTheLogsSpanExcludes) {
+TEST(LogComparison, TellsAMissingMessageFromOneWhoseInputsTheLogLacks) {
   const LogComparison result =
       compared({pose(1, 0.5), pose(2, 0.5), pose(3, 0.5), pose(4, 0.5)}, {pose(2, 0.5), pose(4, 0.5)});
   const ChannelComparison& channel = result.channels.at("TARGET_POSE");
@@ -51,6 +51,16 @@ TEST(LogComparison, TellsAMissingMessageFromOneThatTheLogsSpanExcludes) {
   EXPECT_EQ(channel.missing, 1);
   EXPECT_FALSE(result.as_recorded());
   EXPECT_EQ(result.first->utime, 3);
+}
+
+TEST(LogComparison, SeesAReplayThatEndsEarlyBeginsLateOrAnswersElsewhere) {
+  const std::vector<OwnedEvent> recorded = {pose(1, 0.5), pose(2'000'000, 0.5), pose(4'000'000, 0.5)};
+  EXPECT_EQ(compared(recorded, {pose(1, 0.5), pose(2'000'000, 0.5)}).channels.at("TARGET_POSE").missing, 1);
+  EXPECT_EQ(compared(recorded, {pose(4'000'000, 0.5)}).channels.at("TARGET_POSE").missing, 1);
+  OwnedEvent elsewhere = pose(1, 0.5);
+  elsewhere.channel = "TARGET_POSES";
+  EXPECT_FALSE(compared(recorded, {elsewhere}).as_recorded());
+  EXPECT_FALSE(compared(recorded, {}).as_recorded());
 }
 
 TEST(LogComparison, CountsWhatTheLiveServiceSkippedAsNoDifference) {

@@ -122,6 +122,45 @@ TEST_F(LogTool, ReadsTheConfigurationOutOfARecordingAndNothingOutsideItsFolder) 
             std::string::npos);
 }
 
+TEST_F(LogTool, ReadsNoPipeAndDoesNotWaitForOne) {
+  ASSERT_EQ(test::run_command("mkfifo " + path("pipe")).exit_code, 0);
+  const CommandResult result = run("info " + path("pipe"));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.output.find("is no regular file"), std::string::npos) << result.output;
+}
+
+TEST_F(LogTool, ShowsWhatIsLeftOfALogWithADamagedNameAndFingerprint) {
+  events_[1].channel = "OTH\xff\x1b]0;";
+  events_[0].data[3] = '\x55';
+  write("log", log_bytes(events_));
+  const auto json = nlohmann::json::parse(run("info --json " + path("log")).output);
+  ASSERT_EQ(json["channels"].size(), 4U);
+  for (const auto& channel : json["channels"]) {
+    if (channel["channel"] != "TARGET_POSE") continue;
+    EXPECT_EQ(channel["type"], "TargetPose");
+    EXPECT_EQ(channel["other_types"], 1);
+  }
+  const std::string table = run("info " + path("log")).output;
+  EXPECT_NE(table.find("OTH??]0;"), std::string::npos) << table;
+  EXPECT_EQ(table.find('\x1b'), std::string::npos);
+}
+
+TEST_F(LogTool, TakesOnlyTheLoggersOwnFilesForPartsOfARecording) {
+  fs::create_directory(path("recording"));
+  write("recording/log.lcm.00", bytes_);
+  write("recording/log.lcm.fixed", bytes_);
+  EXPECT_EQ(nlohmann::json::parse(run("info --json " + path("recording")).output)["events"], 30);
+}
+
+TEST_F(LogTool, GivesChannelsThatWouldShareAFileTheirOwn) {
+  events_[0].channel = "a/b";
+  events_[3].channel = "a_b";
+  write("log", log_bytes(events_));
+  EXPECT_EQ(run("export " + path("log") + " " + path("tables")).exit_code, 0);
+  EXPECT_TRUE(fs::exists(path("tables/a_b.csv")));
+  EXPECT_TRUE(fs::exists(path("tables/a_b.2.csv")));
+}
+
 TEST_F(LogTool, WritesATablePerChannel) {
   write("log", bytes_);
   const CommandResult result = run("export " + path("log") + " " + path("tables"));
@@ -129,6 +168,7 @@ TEST_F(LogTool, WritesATablePerChannel) {
   const std::string table = read("tables/TARGET_POSE.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 11);
   EXPECT_EQ(table.rfind("log_utime,utime,session,seq,", 0), 0U);
+  EXPECT_EQ(run("export " + path("log") + " " + path("tables")).exit_code, 2) << "nothing is overwritten";
   EXPECT_NE(result.output.find("BIG: left out, 10 messages of unknown type 0x"), std::string::npos) << result.output;
 }
 
