@@ -98,7 +98,7 @@ check_others() {
     (.services as $services | .channels[] | select(.two_writers)
       | [.writers[] | .session as $session | $services[] | select(.session == $session)] as $known
       # Two of one name are told of above.
-      | select([$known[] | select(.duplicate | not)] | length > 0 or ($known | length) < (.writers | length))
+      | select(([$known[] | select(.duplicate | not)] | length) > 0 or ($known | length) < (.writers | length))
       | ["two write \(.channel), where one may: " +
           ([.writers[] | .service // "one that does not say its name (session \(.session))"] | join(", ")),
          if ($known | length) > 0

@@ -58,6 +58,7 @@ int info(const Options& options) {
     print(info_json(logs, summary));
   } else {
     print(info_text(logs, summary));
+    print(damage_text(logs, summary));
   }
   return logs.damaged() ? kDamagedOrDifferent : kGood;
 }
@@ -123,7 +124,7 @@ int compare_logs(const Options& options) {
 int splice(const Options& options) {
   const LogSet recorded = open_logs({options.input});
   const LogSet derived = open_logs({options.other});
-  write_log(options.output, spliced(recorded.events(), derived.events()));
+  write_log(options.output, spliced(chosen(recorded.events(), options.choice), derived.events()));
   return kGood;
 }
 
@@ -205,6 +206,7 @@ int main(int argc, char** argv) {
   sub->add_option("RECORDED", options.input)->required();
   sub->add_option("DERIVED", options.other)->required();
   sub->add_option("NEW", options.output)->required();
+  sub->add_option("--without", options.choice.without, "Not these channels of RECORDED")->allow_extra_args(false);
 
   sub = command("types", "The message types that this build knows, with their fingerprints", types);
   sub->add_flag("--json", options.json, "JSON for programs");

@@ -36,9 +36,10 @@ struct TaskReport {
   std::string reason;
 };
 
-inline constexpr int kExitReached = 0;   // lifted, done, home, aborted, stopped, reset
-inline constexpr int kExitRefused = 1;   // refused, failed or stopped: the line says why
-inline constexpr int kExitNoAnswer = 4;  // the line says who
+inline constexpr int kExitReached = 0;        // lifted, done, home, aborted, stopped, reset
+inline constexpr int kExitRefused = 1;        // refused, failed or stopped: the line says why
+inline constexpr int kExitNoAnswer = 4;       // the line says who
+inline constexpr int kExitInterrupted = 130;  // told to end before there was an answer, as a shell tells Ctrl-C
 
 struct Ending {
   int exit_code = kExitReached;

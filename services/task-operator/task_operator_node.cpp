@@ -163,6 +163,10 @@ void TaskOperatorNode::run(bus::Bus& bus) {
     (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ") << step.ending->line << std::endl;
     return;
   } while (bus.poll(std::chrono::milliseconds(50)));
+  exit_code_ = kExitInterrupted;
+  const bool lasts = action_ == Action::kStart || action_ == Action::kHome;
+  std::cerr << "task-operator: ended before the answer; "
+            << (lasts ? "the task goes on: abort or stop ends it" : "what was asked may have been done") << std::endl;
 }
 
 }  // namespace markservo::task_operator

@@ -24,7 +24,7 @@ class TaskOperatorNode : public bus::Service {
   void start(bus::Bus& bus) override;
   void run(bus::Bus& bus) override;
 
-  // How it ended; kExitReached while it has not.
+  // How it ended; kExitReached while it has not, kExitInterrupted when it was told to end before there was an answer.
   int exit_code() const { return exit_code_; }
 
  private:
