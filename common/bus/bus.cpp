@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <markservo/ServiceStatus.hpp>
 #include <utility>
 
+#include "common/bus/end_signals.hpp"
+#include "common/bus/host_name.hpp"
 #include "common/bus/network_check.hpp"
 #include "common/bus/session.hpp"
+#include "common/time/clocks.hpp"
 
 namespace markservo::bus {
 namespace {
@@ -22,17 +24,6 @@ constexpr int64_t kClockTolerance_us = 20'000;      // hosts' clocks agree withi
 constexpr int64_t kTimelineRestart_us = 1'000'000;  // a writer that restarts this far back begins a new time line
 constexpr milliseconds kHeartbeat{1000};
 constexpr int kMaxDrain = 4096;  // messages per poll, so that a flood cannot starve the timers
-
-volatile std::sig_atomic_t signalled = 0;
-
-void on_signal(int) {
-  signalled = 1;
-}
-
-int64_t wall_clock_us() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 // LCM takes channels as regular expressions, anchored at both ends.
 std::string escape(const std::string& literal) {
@@ -75,8 +66,7 @@ Bus::Bus(BusParameters parameters) : parameters_(std::move(parameters)) {
         std::make_unique<Publisher<ServiceStatus>>(out_.get(), full_channel("SERVICE_STATUS"), session_);
     every(kHeartbeat, [this] { publish_status(); });
   }
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  note_end_signals();
 }
 
 Bus::~Bus() = default;
@@ -130,17 +120,17 @@ void Bus::run_timers() {
 }
 
 bool Bus::poll(milliseconds timeout) {
-  if (stopped_ || signalled != 0) return false;
+  if (stopped_ || told_to_end()) return false;
   errno = 0;
   int handled = in_->handleTimeout(static_cast<int>(until_next_timer(timeout).count()));
-  if (handled < 0 && (replaying_ || signalled != 0)) return false;  // the end of the log, or told to stop
+  if (handled < 0 && (replaying_ || told_to_end())) return false;  // the end of the log, or told to stop
   if (handled < 0 && errno != EINTR) throw BusUnavailable("bus " + parameters_.urls.in + ": cannot be read any more");
   if (!replaying_) {
     for (int count = 1; handled > 0 && count < kMaxDrain; ++count) handled = in_->handleTimeout(0);
   }
   for (const auto& subscription : subscriptions_) subscription->dispatch();
   run_timers();
-  return !stopped_ && signalled == 0;
+  return !stopped_ && !told_to_end();
 }
 
 void Bus::set_state(const std::string& state, const std::string& reason) {
@@ -159,9 +149,7 @@ ServiceStatus Bus::status() const {
   ServiceStatus status{};
   status.utime = wall_clock_us();
   status.name = parameters_.service_name;
-  char host[256] = {};
-  gethostname(host, sizeof host - 1);
-  status.host = host;
+  status.host = host_name();
   status.pid = getpid();
   status.version = MARKSERVO_VERSION;
   status.config_hash = parameters_.config_hash;

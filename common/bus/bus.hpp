@@ -93,6 +93,7 @@ class Bus final : private SubscriptionHost {
 
   // The service's own word for how it is; published at once when it changes.
   void set_state(const std::string& state, const std::string& reason = {});
+  const std::string& state() const { return state_; }
 
   // Handles what comes within `timeout`, then the timers. False once the service shall end: SIGINT, SIGTERM, stop(), or
   // the end of the log.

@@ -10,8 +10,8 @@ void SequenceMonitor::observe(int64_t session, int64_t seq) {
     if (std::find(earlier_.begin(), earlier_.end(), session) != earlier_.end()) second_writer_ = true;
     earlier_.push_back(session_);
     if (earlier_.size() > kRemembered) earlier_.pop_front();
-  } else if (session_ != 0 && seq > seq_ + 1) {
-    lost_ = std::min(lost_ + (seq - seq_ - 1), kMaxLost);
+  } else if (session_ != 0) {
+    lost_ = std::min(lost_ + sequence_gap(seq_, seq), kMaxLost);
   }
   seq_ = session == session_ ? std::max(seq_, seq) : seq;  // one that comes late or twice loses nothing
   session_ = session;

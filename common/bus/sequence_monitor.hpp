@@ -1,9 +1,19 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 
 namespace markservo::bus {
+
+// A hostile writer's gaps add up to no more.
+inline constexpr int64_t kMaxLost = int64_t{1} << 53;
+
+// Messages missing between two `seq` of one session, the earlier heard first; none where the later one comes late or
+// twice. Any numbers: one below 0 is no seq, and a hostile writer's gap counts as no more than kMaxLost.
+inline int64_t sequence_gap(int64_t before, int64_t after) {
+  return before < 0 || after <= before ? 0 : std::min(after - before - 1, kMaxLost);
+}
 
 // Follows (session, seq) of one channel: counts what was lost and notices a second writer.
 // `session` is 1 or more and `seq` 0 to 2^53, as the message rules demand. A writer that restarts changes the session
@@ -19,8 +29,6 @@ class SequenceMonitor {
 
  private:
   static constexpr std::size_t kRemembered = 16;  // earlier sessions; more restarts than that in a row prove nothing
-
-  static constexpr int64_t kMaxLost = int64_t{1} << 62;  // a hostile writer's gaps add up to no more
 
   int64_t session_ = 0;
   int64_t seq_ = 0;

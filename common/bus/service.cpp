@@ -6,7 +6,6 @@
 
 #include <fstream>
 #include <iostream>
-#include <markservo/ServiceStatus.hpp>
 #include <memory>
 #include <sstream>
 
@@ -85,7 +84,7 @@ int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const 
   Bus bus(parameters);
   service.start(bus);
   // One that waits for something has said so.
-  if (bus.status().state == kStarting) bus.set_state("ready");
+  if (bus.state() == kStarting) bus.set_state("ready");
   service.run(bus);
   return kExitStopped;
 }

@@ -33,7 +33,7 @@ int64_t source_session(const std::string& service_name) {
   return positive(fingerprint(service_name));
 }
 
-uint64_t fingerprint(const std::string& text, uint64_t seed) {
+uint64_t fingerprint(std::string_view text, uint64_t seed) {
   constexpr uint64_t kPrime = 1099511628211ULL;
   uint64_t hash = seed;
   for (const char character : text) {

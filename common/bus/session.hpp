@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace markservo::bus {
 
@@ -17,6 +18,6 @@ int64_t replay_session(const std::string& log_path, const std::string& service_n
 int64_t source_session(const std::string& service_name);
 
 // 64-bit FNV-1a of `text`, continued from `seed`.
-uint64_t fingerprint(const std::string& text, uint64_t seed = 14695981039346656037ULL);
+uint64_t fingerprint(std::string_view text, uint64_t seed = 14695981039346656037ULL);
 
 }  // namespace markservo::bus

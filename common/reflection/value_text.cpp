@@ -88,4 +88,8 @@ nlohmann::ordered_json json_of(const Fields& fields) {
   return object;
 }
 
+std::string json_text(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace markservo::reflection

@@ -26,4 +26,7 @@ std::string printable(std::string text);
 // The message as JSON, bytes as {"bytes": number}; numbers that JSON cannot hold (NaN, infinite) as null.
 nlohmann::ordered_json json_of(const Fields& fields);
 
+// JSON as text, indented by `indent` (-1: one line); what is no UTF-8 in a name or text from elsewhere is replaced.
+std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
+
 }  // namespace markservo::reflection

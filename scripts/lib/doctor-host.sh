@@ -2,7 +2,6 @@
 # What scripts/doctor asks of the host: network, clock, disk, devices. Each check_ function says what it finds by `well`
 # and `wrong`. To be sourced by scripts/doctor.
 
-raw_frames_need=2000000 # bytes of receive buffer; below it 60 to 98% of raw frames are lost
 recording_needs_mb=2000 # a demo that drives, or a good minute of raw frames
 clocks_agree_s=0.02     # what is stamped further ahead is refused
 
@@ -20,7 +19,7 @@ check_address() {
   local ttl
   if ! [[ $lcm_url =~ ^udpm://[0-9.]+:[0-9]+([?].*)?$ ]]; then
     wrong bus "the address $lcm_url is none that others can be on; allowed: udpm://GROUP:PORT?..." \
-      "unset MARKSERVO_LCM_URL, or --lcm-url 'udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'"
+      "unset MARKSERVO_LCM_URL, or --lcm-url '$default_lcm_url'"
     return
   fi
   ttl=$(url_part ttl)
@@ -78,11 +77,11 @@ check_receive_buffer() {
   fi
   if ! [[ $granted =~ ^[0-9]+$ ]]; then
     wrong bus "cannot tell net.core.rmem_max ($file)" "sysctl net.core.rmem_max"
-  elif ((granted < raw_frames_need)); then
-    wrong bus "net.core.rmem_max is $granted bytes: raw frames need $raw_frames_need; below it frames go as JPEG" \
+  elif ((granted < receive_buffer_for_raw_frames)); then
+    wrong bus "net.core.rmem_max is $granted bytes: raw frames need $receive_buffer_for_raw_frames; below it frames go as JPEG" \
       "sysctl -w net.core.rmem_max=4194304; echo net.core.rmem_max=4194304 >/etc/sysctl.d/60-markservo.conf"
-  elif ! [[ $asked =~ ^[0-9]{1,12}$ ]] || ((10#$asked < raw_frames_need)); then
-    wrong bus "recv_buf_size=${asked:-none} in the address: raw frames need $raw_frames_need bytes" \
+  elif ! [[ $asked =~ ^[0-9]{1,12}$ ]] || ((10#$asked < receive_buffer_for_raw_frames)); then
+    wrong bus "recv_buf_size=${asked:-none} in the address: raw frames need $receive_buffer_for_raw_frames bytes" \
       "use --lcm-url '$(url_with recv_buf_size 4194304)'"
   else
     well bus "receive buffer of $((granted < asked ? granted : asked)) bytes: raw frames fit"

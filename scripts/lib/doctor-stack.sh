@@ -90,8 +90,8 @@ check_versions() {
 }
 
 check_others() {
-  local line mend wrong_before=$faults
-  while IFS=$'\t' read -r line mend; do wrong others "$line" "$mend"; done < <(jq -r '
+  local line mend findings_of_others wrong_before=$faults
+  findings_of_others=$(jq -r '
     ([.services[] | select(.duplicate)] | group_by([.robot, .name])[]
       | ["\(length) processes are \(.[0].name): " + (map("\(.pid) on \(.host)") | join(", ")),
          "end all but one: " + (map("kill \(.pid) (on \(.host))") | join(" or "))]),
@@ -108,6 +108,9 @@ check_others() {
       | ["\(.channel) carries several types: its writers are of different versions",
          "on each host: git pull && scripts/build release && scripts/stack restart"])
     | @tsv' "$heard_file")
+  while IFS=$'\t' read -r line mend; do
+    if [[ -n $line ]]; then wrong others "$line" "$mend"; fi
+  done <<<"$findings_of_others"
   if ((faults == wrong_before)); then
     well others "$(jq -r 'if .services == [] then "nobody is on the bus" else
       "on the bus, each once: " + ([.services[].name] | unique | join(" ")) end' "$heard_file")"

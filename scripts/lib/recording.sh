@@ -1,9 +1,5 @@
 # shellcheck shell=bash disable=SC2034,SC2154 # variables of the sourcing script, and for it
-# A recording's folder and the logger that fills it. To be sourced after project.sh.
-
-default_lcm_url='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'
-# What raw frames need, as common/bus says.
-receive_buffer_for_raw_frames=2097152
+# A recording's folder and the logger that fills it. To be sourced after project.sh and bus.sh.
 
 # new_dated_folder: makes logs/TIME and leaves its path in `folder`; waits while somebody else has taken the second.
 new_dated_folder() {

@@ -1,13 +1,12 @@
 # shellcheck shell=bash disable=SC2154 # variables of the sourcing script
 # How a stack's services are: what supervisor knows of their processes, joined with what they say of themselves on the
-# bus. To be sourced after supervision.sh; works on scripts/stack's variables.
+# bus. To be sourced after bus.sh and supervision.sh; works on scripts/stack's variables.
 
-default_bus='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'
 listen_s=1.6 # every service speaks once a second, later on a busy host
 settle_s=2   # for services that wait for others, where that is no failure
 
 # remember_bus: notes for later calls where the services of this stack can be heard, from this call's options.
-remember_bus() { printf '%s\n' "${lcm_url:-$default_bus}" "$build_dir" "$profile" >"$runtime_dir/bus"; }
+remember_bus() { printf '%s\n' "${lcm_url:-$default_lcm_url}" "$build_dir" "$profile" >"$runtime_dir/bus"; }
 
 # note_bus: sets bus_url, census (the executable; empty when there is none, or no bus that others can hear) and
 # stack_profile. Options that restart the whole stack move it.

@@ -5,9 +5,11 @@
 #include <array>
 #include <chrono>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "common/bus/session.hpp"
+#include "common/time/clocks.hpp"
 
 namespace markservo::bus_bridge {
 namespace {
@@ -15,11 +17,6 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kLongestWait{100};  // for messages, so that the heartbeat and signals are not kept waiting
-
-std::int64_t steady_us() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
 
 }  // namespace
 
@@ -34,8 +31,8 @@ void Bridge::pass(const std::string& channel, bus::Bus& from, bus::Bus& to) {
       throw std::invalid_argument("message of " + std::to_string(size) + " bytes; allowed: at most " +
                                   std::to_string(largest_) + " (--largest) cross");
     }
-    const std::string bytes(static_cast<const char*>(data), size);
-    if (!repeats_.crosses(bus::fingerprint(bytes, bus::fingerprint(channel)), steady_us())) return false;
+    const std::string_view bytes(static_cast<const char*>(data), size);
+    if (!repeats_.crosses(bus::fingerprint(bytes, bus::fingerprint(channel)), steady_clock_us())) return false;
     to.publish_raw(channel, data, size);
     return true;
   });
@@ -53,11 +50,13 @@ void BusBridgeNode::add_options(CLI::App& app) {
       ->capture_default_str();
 }
 
-void BusBridgeNode::configure(const std::string& /*robot_file*/) {}
+void BusBridgeNode::configure(const std::string& /*robot_file*/) {
+  bus_bridge::check(crossing_);
+}
 
 void BusBridgeNode::start(bus::Bus& bus) {
-  bus_bridge::check(crossing_, bus.urls().in);
-  if (bus.urls().out != bus.urls().in) bus_bridge::check(crossing_, bus.urls().out);
+  check_beside(crossing_, bus.urls().in);
+  check_beside(crossing_, bus.urls().out);
   bus::BusParameters parameters;
   parameters.urls = {crossing_.link_url, crossing_.link_url};
   parameters.service_name = "bus-bridge";

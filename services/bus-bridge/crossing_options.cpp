@@ -37,23 +37,26 @@ void check_channels(const char* option, const std::vector<std::string>& channels
 
 }  // namespace
 
-void check(const Crossing& crossing, const std::string& local_url) {
-  const std::string& link = crossing.link_url;
-  if (!bus::is_udpm(link)) {
-    throw ConfigurationError("--link-url is '" + link + "'; allowed: udpm://GROUP:PORT?ttl=1, the same on both hosts");
-  }
-  if (!bus::is_udpm(local_url)) {
-    throw ConfigurationError("--lcm-url is '" + local_url + "'; allowed: a live bus, udpm://");
-  }
-  if (port_of(link) == port_of(local_url)) {
-    throw ConfigurationError("--link-url is " + link + ", on the port of this host's bus " + local_url +
-                             "; allowed: another port, for LCM tells buses apart by it");
+void check(const Crossing& crossing) {
+  if (!bus::is_udpm(crossing.link_url)) {
+    throw ConfigurationError("--link-url is '" + crossing.link_url +
+                             "'; allowed: udpm://GROUP:PORT?ttl=1, the same on both hosts");
   }
   if (crossing.send.empty() && crossing.receive.empty()) {
     throw ConfigurationError("--send and --receive name no channel; allowed: at least one of them names one");
   }
   check_channels("--send", crossing.send);
   check_channels("--receive", crossing.receive);
+}
+
+void check_beside(const Crossing& crossing, const std::string& local_url) {
+  if (!bus::is_udpm(local_url)) {
+    throw ConfigurationError("--lcm-url is '" + local_url + "'; allowed: a live bus, udpm://");
+  }
+  if (port_of(crossing.link_url) == port_of(local_url)) {
+    throw ConfigurationError("--link-url is " + crossing.link_url + ", on the port of this host's bus " + local_url +
+                             "; allowed: another port, for LCM tells buses apart by it");
+  }
 }
 
 }  // namespace markservo::bus_bridge

@@ -16,9 +16,12 @@ struct Crossing {
   std::size_t largest = 9000;
 };
 
-// Throws ConfigurationError (what, value, allowed) for: no link or one that is no udpm:// URL; a link on the port of
-// `local_url`, since LCM tells buses apart by their port and both would be one bus; no channel at all; a channel that
-// is not upper-case letters, digits and _; one named twice in a list.
-void check(const Crossing& crossing, const std::string& local_url);
+// Throws ConfigurationError (what, value, allowed) for: no link or one that is no udpm:// URL; no channel at all; a
+// channel that is not upper-case letters, digits and _; one named twice in a list.
+void check(const Crossing& crossing);
+
+// Throws ConfigurationError for a host's bus `local_url` that is no udpm:// URL, and for a link on its port: LCM tells
+// buses apart by their port, and both would be one bus.
+void check_beside(const Crossing& crossing, const std::string& local_url);
 
 }  // namespace markservo::bus_bridge

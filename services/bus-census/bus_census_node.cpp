@@ -1,27 +1,18 @@
 #include "services/bus-census/bus_census_node.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
 #include <markservo/ServiceStatus.hpp>
 
-#include "common/bus/bus.hpp"
-#include "common/bus/network_check.hpp"
+#include "common/bus/end_signals.hpp"
 #include "common/bus/safe_decode.hpp"
 #include "common/reflection/message_note.hpp"
-#include "services/bus-census/clock_reader.hpp"
+#include "common/time/clocks.hpp"
 
 namespace markservo::bus_census {
 namespace {
 
 constexpr const char* kStatusChannel = "(.*/)?SERVICE_STATUS";
 constexpr int kQueue = 1000;  // messages that wait; rates must not suffer from a slow moment
-
-volatile std::sig_atomic_t told_to_end = 0;
-
-void on_signal(int) {
-  told_to_end = 1;
-}
 
 ServiceWord word_of(const ServiceStatus& status, const std::string& channel) {
   ServiceWord word;
@@ -42,12 +33,12 @@ ServiceWord word_of(const ServiceStatus& status, const std::string& channel) {
   return word;
 }
 
-Heard heard_of(const lcm::ReceiveBuffer& buffer, const std::string& channel) {
-  const auto note = reflection::note_of(reflection::TypeCatalog::ours(), buffer.data, buffer.data_size);
+Heard heard_of(const bus::HeardBytes& message) {
+  const auto note = reflection::note_of(reflection::TypeCatalog::ours(), message.data, message.size);
   Heard heard;
-  heard.channel = channel;
-  heard.bytes = buffer.data_size;
-  heard.utime = buffer.recv_utime;
+  heard.channel = message.channel;
+  heard.bytes = static_cast<int64_t>(message.size);
+  heard.utime = message.utime;
   heard.hash = static_cast<int64_t>(note.fingerprint.value_or(0));
   heard.type = note.type;
   if (note.session < 1) return heard;
@@ -58,24 +49,17 @@ Heard heard_of(const lcm::ReceiveBuffer& buffer, const std::string& channel) {
 
 }  // namespace
 
-BusCensusNode::BusCensusNode(const std::string& url, bool status_only) : url_(url), lcm_(url) {
-  if (!lcm_.good()) throw bus::BusUnavailable("bus " + url + ": cannot be joined; " + bus::multicast_route_advice());
-  lcm_.subscribeFunction(status_only ? kStatusChannel : ".*", raw_handler, this)->setQueueCapacity(kQueue);
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-}
+BusCensusNode::BusCensusNode(const std::string& url, bool status_only)
+    : listener_(url, status_only ? kStatusChannel : ".*", kQueue,
+                [this](const bus::HeardBytes& message) { hear(message); }) {}
 
-void BusCensusNode::raw_handler(const lcm::ReceiveBuffer* buffer, const std::string& channel, BusCensusNode* node) {
-  node->hear(buffer, channel);
-}
-
-void BusCensusNode::hear(const lcm::ReceiveBuffer* buffer, const std::string& channel) {
-  const Heard heard = heard_of(*buffer, channel);
+void BusCensusNode::hear(const bus::HeardBytes& message) {
+  const Heard heard = heard_of(message);
   census_->hear(heard);
   if (heard.hash != ServiceStatus::getHash()) return;
-  const auto decoded = bus::safe_decode<ServiceStatus>(buffer->data, static_cast<std::size_t>(buffer->data_size));
+  const auto decoded = bus::safe_decode<ServiceStatus>(message.data, message.size);
   if (!decoded.ok || decoded.message.session < 1) return;
-  const ServiceWord word = word_of(decoded.message, channel);
+  const ServiceWord word = word_of(decoded.message, message.channel);
   census_->hear(word, heard.utime);
   if (on_status) on_status(word);
 }
@@ -83,12 +67,8 @@ void BusCensusNode::hear(const lcm::ReceiveBuffer* buffer, const std::string& ch
 void BusCensusNode::listen(double seconds) {
   census_.emplace(wall_clock_us());
   const int64_t end = steady_clock_us() + static_cast<int64_t>(1e6 * seconds);
-  for (int64_t left = end - steady_clock_us(); left > 0 && told_to_end == 0; left = end - steady_clock_us()) {
-    errno = 0;
-    const auto wait_ms = static_cast<int>(std::min<int64_t>(left / 1000 + 1, 100));
-    if (lcm_.handleTimeout(wait_ms) < 0 && errno != EINTR) {
-      throw bus::BusUnavailable("bus " + url_ + ": cannot be read any more");
-    }
+  for (int64_t left = end - steady_clock_us(); left > 0 && !bus::told_to_end(); left = end - steady_clock_us()) {
+    listener_.poll(std::chrono::milliseconds(std::min<int64_t>(left / 1000 + 1, 100)));
   }
   end_us_ = wall_clock_us();
 }

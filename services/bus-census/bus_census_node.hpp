@@ -1,10 +1,10 @@
 #pragma once
 
 #include <functional>
-#include <lcm/lcm-cpp.hpp>
 #include <optional>
 #include <string>
 
+#include "common/bus/listener.hpp"
 #include "services/bus-census/census.hpp"
 
 namespace markservo::bus_census {
@@ -24,11 +24,9 @@ class BusCensusNode {
   Report report() const;
 
  private:
-  static void raw_handler(const lcm::ReceiveBuffer* buffer, const std::string& channel, BusCensusNode* node);
-  void hear(const lcm::ReceiveBuffer* buffer, const std::string& channel);
+  void hear(const bus::HeardBytes& message);
 
-  std::string url_;
-  lcm::LCM lcm_;
+  bus::Listener listener_;
   std::optional<Census> census_;
   int64_t end_us_ = 0;  // when listening ended, us
 };

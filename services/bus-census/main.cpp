@@ -1,12 +1,14 @@
 // bus-census: listens for a moment and tells who is on the bus and what each writes.
 //   in: all channels     out: standard output
 
-#include <CLI/CLI.hpp>
-#include <cmath>
 #include <iostream>
 
+#include "common/bus/host_name.hpp"
 #include "common/bus/network_check.hpp"
 #include "common/bus/service.hpp"
+#include "common/bus/tool.hpp"
+#include "common/reflection/value_text.hpp"
+#include "common/time/clocks.hpp"
 #include "services/bus-census/bus_census_node.hpp"
 #include "services/bus-census/census_text.hpp"
 #include "services/bus-census/clock_reader.hpp"
@@ -24,7 +26,7 @@ struct Options {
 };
 
 void print(const Json& json) {
-  std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+  std::cout << markservo::reflection::json_text(json, -1) << std::flush;
 }
 
 Json receive_buffer() {
@@ -41,10 +43,10 @@ int run(const Options& options) {
     node.on_status = [](const census::ServiceWord& word) { print(json_of(word)); };
     print({{"listening", options.url}});
   }
-  const int64_t wall_us = census::wall_clock_us();
-  const int64_t steady_us = census::steady_clock_us();
+  const int64_t wall_us = markservo::wall_clock_us();
+  const int64_t steady_us = markservo::steady_clock_us();
   node.listen(options.seconds);
-  const int64_t jump_us = (census::wall_clock_us() - wall_us) - (census::steady_clock_us() - steady_us);
+  const int64_t jump_us = (markservo::wall_clock_us() - wall_us) - (markservo::steady_clock_us() - steady_us);
   if (options.follow) return markservo::bus::kExitStopped;
   if (!options.json) {
     std::cout << table_of(node.report());
@@ -52,7 +54,7 @@ int run(const Options& options) {
   }
   Json json = {
       {"url", options.url},
-      {"host", census::host_name()},
+      {"host", markservo::bus::host_name()},
       {"version", MARKSERVO_VERSION},
       {"raw_frames_fit", markservo::bus::raw_frames_fit(options.url)},
       {"receive_buffer", receive_buffer()},
@@ -62,38 +64,16 @@ int run(const Options& options) {
   return markservo::bus::kExitStopped;
 }
 
-std::string bad_url(const std::string& url) {
-  if (markservo::bus::is_udpm(url)) return {};
-  return "a bus that others are on begins with udpm://";
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Listens for a moment and tells who is on the bus: services (SERVICE_STATUS) and channels",
                "bus-census");
   Options options;
-  app.add_option("--lcm-url", options.url, "The bus")
-      ->envname("MARKSERVO_LCM_URL")
-      ->check(CLI::Validator(bad_url, "udpm://"))
-      ->capture_default_str();
+  markservo::bus::add_live_bus_option(app, options.url);
   app.add_option("--for", options.seconds, "Listen so long, s")->check(CLI::Range(0.1, 3600.0))->capture_default_str();
   auto* json = app.add_flag("--json", options.json, "One JSON object instead of tables");
   app.add_flag("--follow", options.follow, "Print each SERVICE_STATUS instead when it comes, one JSON object a line")
       ->excludes(json);
-  try {
-    app.parse(argc, argv);
-    return run(options);
-  } catch (const CLI::Success& request) {
-    return app.exit(request);
-  } catch (const CLI::Error& error) {
-    std::cerr << "bus-census: " << error.what() << "; see bus-census --help\n";
-    return markservo::bus::kExitBadConfiguration;
-  } catch (const markservo::bus::BusUnavailable& error) {
-    std::cerr << "bus-census: " << error.what() << "\n";
-    return markservo::bus::kExitBusUnavailable;
-  } catch (const std::exception& error) {
-    std::cerr << "bus-census: " << error.what() << "\n";
-    return markservo::bus::kExitFailed;
-  }
+  return markservo::bus::run_tool(app, argc, argv, [&options] { return run(options); });
 }

@@ -5,13 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
 #include <cstdio>
-#include <lcm/lcm-cpp.hpp>
 
-#include "common/bus/bus.hpp"
-#include "common/bus/network_check.hpp"
+#include "common/bus/end_signals.hpp"
+#include "common/bus/tool.hpp"
 #include "common/reflection/message_note.hpp"
 #include "common/reflection/value_text.hpp"
 #include "services/bus-top/channel_table.hpp"
@@ -23,10 +20,7 @@ namespace markservo::bus_top {
 namespace {
 
 constexpr double kRedraw = 0.25;  // s: what changes faster cannot be read
-constexpr int kMaxDrain = 4096;   // messages between two looks at the keys
-constexpr int kQueue = 200;       // messages that wait while the screen is drawn; beyond them liblcm drops
-
-volatile std::sig_atomic_t signalled = 0;
+constexpr int kQueue = 200;       // messages that wait while the screen is drawn
 
 void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
@@ -34,7 +28,7 @@ void print(const std::string& text) {
 
 std::vector<std::string> names_of(const BusWatch& watch) {
   std::vector<std::string> names;
-  for (const auto& [name, channel] : watch.channels()) names.push_back(name);
+  for (const auto& entry : watch.channels()) names.push_back(entry.first);
   return names;
 }
 
@@ -47,12 +41,7 @@ std::vector<std::string> message_lines(const std::vector<std::uint8_t>& bytes) {
 }  // namespace
 
 void add_options(CLI::App& app, BusTopOptions& options) {
-  app.add_option("--lcm-url", options.url, "The bus, udpm://")
-      ->envname("MARKSERVO_LCM_URL")
-      ->check([](const std::string& url) {
-        return bus::is_udpm(url) ? std::string() : url + ": allowed is udpm://, a bus that others write on";
-      })
-      ->capture_default_str();
+  bus::add_live_bus_option(app, options.url);
   app.add_option("--robot", options.robot, "Only the channels of this robot, without its prefix");
   app.add_option("--channel", options.channel, "Show the fields of this channel's newest message");
   app.add_flag("--once", options.once, "Print once, as plain text, and end; so without a terminal");
@@ -71,51 +60,29 @@ BusTopNode::BusTopNode(BusTopOptions options)
     : options_(std::move(options)),
       prefix_(options_.robot.empty() ? "" : options_.robot + "/"),
       start_(std::chrono::steady_clock::now()),
-      lcm_(std::make_unique<lcm::LCM>(options_.url)) {
-  if (!lcm_->good()) {
-    throw bus::BusUnavailable("bus " + options_.url + ": cannot be joined; " + bus::multicast_route_advice());
-  }
-  lcm_->subscribeFunction(".*", on_message, this)->setQueueCapacity(kQueue);
-  const auto on_signal = [](int) { signalled = 1; };
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-  std::signal(SIGHUP, on_signal);
-}
-
-BusTopNode::~BusTopNode() = default;
+      listener_(options_.url, ".*", kQueue, [this](const bus::HeardBytes& message) { note(message); }) {}
 
 double BusTopNode::now() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-void BusTopNode::on_message(const lcm::ReceiveBuffer* buffer, const std::string& channel, BusTopNode* node) {
-  if (channel.compare(0, node->prefix_.size(), node->prefix_) != 0) return;
-  const auto note = reflection::note_of(reflection::TypeCatalog::ours(), buffer->data, buffer->data_size);
-  node->watch_.observe(channel.substr(node->prefix_.size()), note, buffer->data, node->now());
-}
-
-void BusTopNode::handle_waiting() {
-  errno = 0;
-  int handled = 1;
-  for (int count = 0; handled > 0 && count < kMaxDrain; ++count) handled = lcm_->handleTimeout(0);
-  if (handled < 0 && errno != EINTR && signalled == 0) {
-    throw bus::BusUnavailable("bus " + options_.url + ": cannot be read any more");
-  }
+void BusTopNode::note(const bus::HeardBytes& message) {
+  if (message.channel.compare(0, prefix_.size(), prefix_) != 0) return;
+  const auto told = reflection::note_of(reflection::TypeCatalog::ours(), message.data, message.size);
+  watch_.observe(message.channel.substr(prefix_.size()), told, message.data, now());
 }
 
 void BusTopNode::listen(double deadline) {
-  while (signalled == 0 && now() < deadline) {
+  while (!bus::told_to_end() && now() < deadline) {
     if (!options_.channel.empty() && watch_.find(options_.channel) != nullptr) return;
-    pollfd waiting{lcm_->getFileno(), POLLIN, 0};
-    ::poll(&waiting, 1, std::max(1, static_cast<int>(1000.0 * (deadline - now()))));
-    handle_waiting();
+    listener_.poll(std::chrono::milliseconds(std::max(1, static_cast<int>(1000.0 * (deadline - now())))));
   }
 }
 
 int BusTopNode::print_table() {
   listen(options_.seconds);
   if (options_.json) {
-    print(json_text(watch_json(watch_, options_.seconds, now())));
+    print(reflection::json_text(watch_json(watch_, options_.seconds, now())));
   } else if (!watch_.channels().empty()) {
     const ChannelTable table = channel_table(watch_, now());
     print(table.heading + "\n");
@@ -145,7 +112,7 @@ int BusTopNode::print_channel() {
     return 1;
   }
   if (options_.json) {
-    print(json_text(message_json(options_.channel, message.fields)));
+    print(reflection::json_text(message_json(options_.channel, message.fields)));
   } else {
     for (const std::string& line : field_lines(message.fields)) print(line + "\n");
   }
@@ -182,7 +149,7 @@ void BusTopNode::watch_live() {
   Navigation navigation(options_.channel);
   Screen screen;
   double drawn = -kRedraw;
-  while (signalled == 0 && !navigation.quit()) {
+  while (!bus::told_to_end() && !navigation.quit()) {
     bool pressed = false;
     do {
       const auto key = screen.read_key();
@@ -197,10 +164,10 @@ void BusTopNode::watch_live() {
       draw(screen, navigation);
       drawn = now();
     }
-    pollfd waiting[2]{{lcm_->getFileno(), POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
+    pollfd waiting[2]{{listener_.descriptor(), POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
     ::poll(waiting, 2, std::max(1, static_cast<int>(1000.0 * (drawn + kRedraw - now()))));
     if ((waiting[1].revents & (POLLHUP | POLLERR)) != 0) return;  // the terminal is gone
-    handle_waiting();
+    listener_.poll(std::chrono::milliseconds(0));
   }
 }
 

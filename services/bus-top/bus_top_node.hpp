@@ -2,17 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <memory>
 #include <string>
 
 #include "common/bus/bus_url.hpp"
+#include "common/bus/listener.hpp"
 #include "services/bus-top/bus_watch.hpp"
 #include "services/bus-top/navigation.hpp"
-
-namespace lcm {
-class LCM;
-struct ReceiveBuffer;
-}  // namespace lcm
 
 namespace markservo::bus_top {
 
@@ -34,18 +29,16 @@ class BusTopNode {
  public:
   // Throws bus::BusUnavailable.
   explicit BusTopNode(BusTopOptions options);
-  ~BusTopNode();
   BusTopNode(const BusTopNode&) = delete;
   BusTopNode& operator=(const BusTopNode&) = delete;
 
-  // Returns the exit code: 0; 1 when --once heard nothing, or nothing that decodes on --channel. Throws NoTerminal,
-  // bus::BusUnavailable.
+  // Returns the exit code: 0; 1 when --once heard nothing, or nothing that decodes on --channel. Throws
+  // ConfigurationError where the terminal cannot be drawn on, bus::BusUnavailable.
   int run();
 
  private:
-  static void on_message(const lcm::ReceiveBuffer* buffer, const std::string& channel, BusTopNode* node);
+  void note(const bus::HeardBytes& message);
   double now() const;
-  void handle_waiting();
   // Until `deadline` (as now() tells it), a signal, or one message on --channel.
   void listen(double deadline);
   int print_table();
@@ -56,8 +49,8 @@ class BusTopNode {
   BusTopOptions options_;
   std::string prefix_;  // of the robot's channels
   std::chrono::steady_clock::time_point start_;
-  std::unique_ptr<lcm::LCM> lcm_;
   BusWatch watch_;
+  bus::Listener listener_;
 };
 
 }  // namespace markservo::bus_top

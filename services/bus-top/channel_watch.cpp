@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "common/bus/sequence_monitor.hpp"
+
 namespace markservo::bus_top {
 namespace {
 
 constexpr std::size_t kMaxArrivals = 4096;  // in the window; a flood's rate is told by its last ones
 constexpr std::size_t kMaxWriters = 64;
-constexpr std::int64_t kMaxLost = std::int64_t{1} << 53;  // a hostile writer's gaps add up to no more
 
 }  // namespace
 
@@ -37,10 +38,7 @@ void ChannelWatch::follow(std::int64_t session, std::int64_t seq, double now) {
     return;
   }
   Writer& writer = known->second;
-  // Without subtracting first: a hostile seq may be anything.
-  if (writer.seq >= 0 && seq > writer.seq && seq - writer.seq > 1) {
-    lost_ = std::min(*lost_ + std::min(seq - writer.seq - 1, kMaxLost), kMaxLost);
-  }
+  if (lost_) lost_ = std::min(*lost_ + bus::sequence_gap(writer.seq, seq), bus::kMaxLost);
   writer = {now, std::max(writer.seq, seq)};  // one that comes late or twice loses nothing
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "common/robot/configuration_error.hpp"
+
 namespace markservo::bus_top {
 namespace {
 
@@ -34,8 +36,9 @@ Screen::Screen() {
   terminal_ = newterm(nullptr, stdout, stdin);
   if (terminal_ == nullptr) {
     const char* term = std::getenv("TERM");
-    throw NoTerminal(std::string("this terminal cannot be drawn on: TERM is '") + (term == nullptr ? "" : term) +
-                     "'; allowed: one that terminfo knows, or --once for plain text");
+    throw ConfigurationError(std::string("this terminal cannot be drawn on: TERM is '") +
+                             (term == nullptr ? "" : term) +
+                             "'; allowed: one that terminfo knows, or --once for plain text");
   }
   cbreak();
   noecho();

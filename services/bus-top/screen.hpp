@@ -1,19 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "services/bus-top/navigation.hpp"
 
 namespace markservo::bus_top {
-
-// This terminal cannot be drawn on.
-class NoTerminal : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 struct ScreenLine {
   std::string text;
@@ -25,7 +18,7 @@ struct ScreenLine {
 // The terminal, drawn by ncurses. What it was before comes back when this ends, by an exception too.
 class Screen {
  public:
-  Screen();  // throws NoTerminal
+  Screen();  // throws ConfigurationError where the terminal cannot be drawn on
   ~Screen();
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;

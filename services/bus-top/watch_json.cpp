@@ -44,8 +44,4 @@ nlohmann::ordered_json message_json(const std::string& channel, const reflection
   return {{"channel", channel}, {"type", fields.type->name}, {"message", reflection::json_of(fields)}};
 }
 
-std::string json_text(const nlohmann::ordered_json& json) {
-  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace markservo::bus_top

@@ -15,7 +15,4 @@ nlohmann::ordered_json watch_json(const BusWatch& watch, double seconds, double 
 // {"channel", "type", "message"}, bytes by their number.
 nlohmann::ordered_json message_json(const std::string& channel, const reflection::Fields& fields);
 
-// One text; what is no UTF-8 in it is replaced.
-std::string json_text(const nlohmann::ordered_json& json);
-
 }  // namespace markservo::bus_top

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/bus/sequence_monitor.hpp"
+#include "services/log-tool/log_event.hpp"
+
 namespace markservo::log_tool {
 namespace {
 
@@ -12,22 +15,10 @@ using reflection::integer_in;
 using reflection::Kind;
 using reflection::MessageType;
 
-// A damaged log's times may be anything: their difference need not fit an integer.
-double seconds(std::int64_t from, std::int64_t to) {
-  return 1e-6 * (static_cast<double>(to) - static_cast<double>(from));
-}
-
 struct SessionRecord {
   std::int64_t seq = 0;
   std::int64_t utime = 0;
 };
-
-// Messages missing between two that follow each other; a log's numbers may be anything, and so may their difference.
-std::int64_t sequence_gap(std::int64_t before, std::int64_t after) {
-  constexpr std::int64_t kMostBelievable = std::int64_t{1} << 40;
-  if (before < 0 || after > kMostBelievable) return 0;
-  return after - before - 1;
-}
 
 class ChannelStatistics {
  public:
@@ -67,7 +58,7 @@ class ChannelStatistics {
  private:
   void note_time(std::int64_t utime) {
     if (summary_.events == 0) summary_.first_utime = summary_.last_utime = newest_ = utime;
-    summary_.longest_gap = std::max(summary_.longest_gap, seconds(newest_, utime));
+    summary_.longest_gap = std::max(summary_.longest_gap, seconds_apart(newest_, utime));
     newest_ = utime;
     summary_.first_utime = std::min(summary_.first_utime, utime);
     summary_.last_utime = std::max(summary_.last_utime, utime);
@@ -95,7 +86,7 @@ class ChannelStatistics {
       ++summary_.sessions;
       return;
     }
-    if (seq > record->second.seq) *summary_.lost += sequence_gap(record->second.seq, seq);
+    summary_.lost = std::min(*summary_.lost + bus::sequence_gap(record->second.seq, seq), bus::kMaxLost);
     if (utime < record->second.utime) ++summary_.time_reversals;
     record->second = {std::max(seq, record->second.seq), utime};
   }
@@ -110,12 +101,12 @@ class ChannelStatistics {
 }  // namespace
 
 double ChannelSummary::hz() const {
-  const double span = seconds(first_utime, last_utime);
+  const double span = seconds_apart(first_utime, last_utime);
   return events > 1 && span > 0.0 ? static_cast<double>(events - 1) / span : 0.0;
 }
 
 double LogSummary::seconds() const {
-  return log_tool::seconds(first_utime, last_utime);
+  return seconds_apart(first_utime, last_utime);
 }
 
 std::int64_t LogSummary::undecodable() const {

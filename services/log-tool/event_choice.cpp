@@ -65,7 +65,7 @@ std::vector<Event> chosen(const std::vector<Event>& events, const EventChoice& c
   ChannelFilter filter(choice);
   std::vector<Event> taken;
   for (const Event& event : events) {
-    const double after = 1e-6 * (static_cast<double>(event.utime) - static_cast<double>(events.front().utime));
+    const double after = seconds_apart(events.front().utime, event.utime);
     if ((choice.from && after < *choice.from) || (choice.to && after >= *choice.to)) continue;
     if (filter.takes(event.channel)) taken.push_back(event);
   }

@@ -46,10 +46,6 @@ double distance(const Leaf& a, const Leaf& b) {
   return std::isfinite(*x) && std::isfinite(*y) ? std::abs(*x - *y) : INFINITY;
 }
 
-double seconds(std::int64_t from, std::int64_t to) {
-  return 1e-6 * (static_cast<double>(to) - static_cast<double>(from));
-}
-
 double magnitude(const Leaf& leaf) {
   const auto* number = std::get_if<double>(&leaf.value.content);
   return number == nullptr || !std::isfinite(*number) ? 0.0 : std::abs(*number);
@@ -71,7 +67,7 @@ class Comparer {
       if (begin == begins.end()) continue;
       const std::int64_t utime = message_utime(event);
       const std::int64_t recorded_begin = recorded_begins.try_emplace(begin->first, utime).first->second;
-      if (utime < begin->second && seconds(recorded_begin, utime) <= parameters_.start_up) {
+      if (utime < begin->second && seconds_apart(recorded_begin, utime) <= parameters_.start_up) {
         ++result_.channels[begin->first].outside;
       } else {
         counterparts.emplace(recorded_keys.next(event), &event);

@@ -23,6 +23,11 @@ struct Event {
   ByteView data;  // the message, its type's fingerprint first
 };
 
+// s, from one time (us) to another. A damaged log's times may be anything: their difference need not fit an integer.
+inline double seconds_apart(std::int64_t from, std::int64_t to) {
+  return 1e-6 * (static_cast<double>(to) - static_cast<double>(from));
+}
+
 // Bytes of a log that belong to no event.
 struct Damage {
   std::size_t offset = 0;

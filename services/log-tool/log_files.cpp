@@ -83,10 +83,12 @@ LogSet::LogSet(const std::vector<std::string>& paths, const FitCheck& fit) {
       continue;
     }
     try {
-      for (const std::string& part : parts_of(path)) {
-        const bool alone = files_.empty() && part == parts_of(path).back();
-        if (fs::file_size(part) > 0 || alone) files_.push_back(std::make_unique<LogFile>(part, fit));
-      }
+      std::vector<std::string> parts = parts_of(path);
+      const auto first_empty =
+          std::stable_partition(parts.begin(), parts.end(), [](const auto& part) { return fs::file_size(part) > 0; });
+      // All empty: the first then says so.
+      parts.erase(std::max(first_empty, parts.begin() + 1), parts.end());
+      for (const std::string& part : parts) files_.push_back(std::make_unique<LogFile>(part, fit));
     } catch (const fs::filesystem_error& error) {
       complain(path, error.code().message(), "a recording's folder that can be read");
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/reflection/type_catalog.hpp"
+#include "common/reflection/value_text.hpp"
 #include "services/log-tool/comparison_report.hpp"
 #include "services/log-tool/event_choice.hpp"
 #include "services/log-tool/export_command.hpp"
@@ -20,6 +21,7 @@
 namespace {
 
 using namespace markservo::log_tool;
+using markservo::reflection::json_text;
 using markservo::reflection::TypeCatalog;
 
 constexpr int kGood = 0;
@@ -28,11 +30,6 @@ constexpr int kBadInput = 2;
 
 void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
-}
-
-// Names in a damaged log need not be UTF-8.
-void print(const nlohmann::ordered_json& json) {
-  print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 struct Options {
@@ -55,7 +52,7 @@ int info(const Options& options) {
   const LogSet logs = open_logs(options.inputs);
   const LogSummary summary = summarise(logs.events(), TypeCatalog::ours());
   if (options.json) {
-    print(info_json(logs, summary));
+    print(json_text(info_json(logs, summary)));
   } else {
     print(info_text(logs, summary));
     print(damage_text(logs, summary));
@@ -138,7 +135,7 @@ int types(const Options& options) {
       print(fingerprint + " " + type->name + "\n");
     }
   }
-  if (options.json) print(json);
+  if (options.json) print(json_text(json));
   return kGood;
 }
 

@@ -9,6 +9,7 @@
 
 #include "common/bus/network_check.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/time/clocks.hpp"
 #include "services/stereo-camera/encoder.hpp"
 #include "services/stereo-camera/schedule.hpp"
 
@@ -21,10 +22,6 @@ using std::chrono::milliseconds;
 constexpr milliseconds kPollSlice{50};      // longest wait between two looks at the bus
 constexpr milliseconds kStatePeriod{1000};  // drops are told in one line per period
 constexpr int kFirstPairAttempts = 30;      // cameras may begin with damaged or unpaired frames
-
-std::int64_t wall_clock_us() {
-  return std::chrono::duration_cast<microseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 }  // namespace
 

@@ -3,21 +3,15 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 #include "common/bus/message_traits.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/time/clocks.hpp"
 #include "services/task-manager/options.hpp"
 
 namespace markservo::task_manager {
 namespace {
-
-// This host's steady clock, us.
-std::int64_t steady_us() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
 
 static_assert(static_cast<int>(Phase::kLook) == 1 && static_cast<int>(Phase::kStopped) == TaskState::STOPPED &&
                   static_cast<int>(Phase::kDrive) == TaskState::DRIVE,
@@ -83,7 +77,7 @@ void TaskManagerNode::on_command(const TaskCommand& message) {
   command.carry = message.carry != 0;
   if (message.expected_known != 0) command.p_CT_expected = vector(message.p_CT_expected);
   if (message.drive != 0) command.drive_pose = {message.drive_pose.x, message.drive_pose.y, message.drive_pose.heading};
-  commands_.add(command, steady_us());
+  commands_.add(command, steady_clock_us());
 }
 
 void TaskManagerNode::on_pose(const TargetPose& pose) {
@@ -150,7 +144,7 @@ void TaskManagerNode::on_status(const ServoStatus& status) {
   input_.base = base_reports_.before(input_.utime);
   input_.stop = stop_report();
   stopped_meanwhile_ = false;
-  input_.commands = commands_.take(steady_us(), !bus_->replaying());
+  input_.commands = commands_.take(steady_clock_us(), !bus_->replaying());
   const Output output = procedure_->step(input_, state_);
   tell(output, input_.utime);
 

@@ -9,9 +9,12 @@
 
 #include "common/bus/safe_decode.hpp"
 #include "tests/replay/replay_run.hpp"
+#include "tests/unit/log_events.hpp"
 
 namespace markservo::replay {
 namespace {
+
+using test::events_of;
 
 const std::string kPictures = "/usr/share/doc/opencv-doc/examples/data/";
 const std::string kRobotFile = MARKSERVO_SOURCE_DIR "/tests/replay/aloe_robot.yaml";

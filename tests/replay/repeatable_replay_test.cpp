@@ -13,9 +13,12 @@
 #include "tests/experiments/experiment.hpp"
 #include "tests/experiments/rig.hpp"
 #include "tests/replay/replay_run.hpp"
+#include "tests/unit/log_events.hpp"
 
 namespace markservo::replay {
 namespace {
+
+using test::events_of;
 
 const std::string kRobotFile = MARKSERVO_SOURCE_DIR "/config/robot.yaml";
 constexpr int kFrames = 6;

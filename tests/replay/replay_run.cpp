@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include <filesystem>
-#include <lcm/lcm-cpp.hpp>
 #include <stdexcept>
 
 #include "tests/experiments/child_process.hpp"
@@ -32,16 +31,6 @@ int run_through(const TemporaryFolder& folder, const std::string& name, const st
   arguments.insert(arguments.end(), {"--lcm-in", "file://" + folder.path(in) + "?speed=0", "--lcm-out",
                                      "file://" + folder.path(out) + "?mode=w"});
   return run_service_alone(folder, name, arguments);
-}
-
-std::vector<std::pair<std::string, std::string>> events_of(const std::string& log_path) {
-  std::vector<std::pair<std::string, std::string>> events;
-  lcm::LogFile log(log_path, "r");
-  while (const auto* event = log.good() ? log.readNextEvent() : nullptr) {
-    events.emplace_back(event->channel,
-                        std::string(static_cast<const char*>(event->data), static_cast<std::size_t>(event->datalen)));
-  }
-  return events;
 }
 
 }  // namespace markservo::replay

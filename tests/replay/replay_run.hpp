@@ -2,7 +2,6 @@
 
 #include <markservo/StereoFrame.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace markservo::replay {
@@ -27,8 +26,5 @@ int run_service_alone(const TemporaryFolder& folder, const std::string& name,
 // The same with --lcm-in and --lcm-out as logs of `folder`.
 int run_through(const TemporaryFolder& folder, const std::string& name, const std::string& in, const std::string& out,
                 std::vector<std::string> arguments);
-
-// (channel, payload) of every event of a log: what must be the same run after run.
-std::vector<std::pair<std::string, std::string>> events_of(const std::string& log_path);
 
 }  // namespace markservo::replay

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "common/bus/session.hpp"
+#include "common/time/clocks.hpp"
+#include "tests/bench/resting_arm.hpp"
 
 namespace markservo::bench {
 namespace {
@@ -16,16 +18,10 @@ constexpr milliseconds kGrace{500};          // for the last answers; longer one
 constexpr milliseconds kPatience{20'000};    // for processes to start
 constexpr milliseconds kProbePeriod{100};    // between frames meanwhile
 constexpr std::size_t kSizedFrames = 16;     // answers whose sizes are looked at
-constexpr double kGripperOpening = 0.05;     // m
 constexpr milliseconds kLongestWait{1'000};  // of LCM at a time
 
 double seconds_of(std::chrono::steady_clock::time_point time) {
   return std::chrono::duration<double>(time.time_since_epoch()).count();
-}
-
-std::int64_t wall_clock_us() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
 }
 
 std::size_t median_size(std::vector<std::size_t> sizes) {
@@ -36,17 +32,13 @@ std::size_t median_size(std::vector<std::size_t> sizes) {
 
 }  // namespace
 
-Player::Player(Route route, const robot::JointVector& resting_arm)
+Player::Player(Route route, const robot::JointVector& arm_at)
     : route_(std::move(route)),
       out_(route_.url),
       session_(bus::random_session()),
-      joints_(&out_, "JOINT_STATE", session_) {
+      joints_(&out_, "JOINT_STATE", session_),
+      joint_state_(resting_arm(arm_at)) {
   if (!out_.good()) throw std::runtime_error("bus " + route_.url + ": cannot be joined");
-  joint_state_.num_joints = robot::kNumJoints;
-  joint_state_.position.assign(resting_arm.data(), resting_arm.data() + robot::kNumJoints);
-  joint_state_.speed.assign(robot::kNumJoints, 0.0);
-  joint_state_.measured = 1;
-  joint_state_.gripper_opening = kGripperOpening;
 }
 
 void Player::receive(const lcm::ReceiveBuffer* buffer, const std::string& /*channel*/, Ear* ear) {

@@ -24,9 +24,9 @@ enum class Listening { kAnswerOnly, kEveryStage };
 
 class Player {
  public:
-  // `resting_arm`: joint angles (rad) for the JOINT_STATE that goes out between two frames.
+  // `arm_at`: joint angles (rad) for the JOINT_STATE that goes out between two frames.
   // Throws std::runtime_error if the route's bus cannot be joined.
-  Player(Route route, const robot::JointVector& resting_arm);
+  Player(Route route, const robot::JointVector& arm_at);
 
   // Sends frames until the route answers, then a few more; the usual size of each stage's message, bytes.
   // Throws std::runtime_error that names the first stage that keeps silent.
@@ -66,7 +66,7 @@ class Player {
   lcm::LCM out_;  // only sends: a member that does not listen costs nothing
   std::int64_t session_;
   bus::Publisher<JointState> joints_;
-  JointState joint_state_{};
+  JointState joint_state_;
   std::size_t next_frame_ = 0;
   std::int64_t seq_ = 0;
   std::vector<std::uint8_t> buffer_;

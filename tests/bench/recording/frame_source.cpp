@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <iostream>
 #include <lcm/lcm-cpp.hpp>
-#include <markservo/JointState.hpp>
 #include <markservo/StereoFrame.hpp>
 #include <stdexcept>
 #include <string>
@@ -18,16 +17,16 @@
 #include "common/bus/session.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
+#include "common/time/clocks.hpp"
 #include "tests/bench/bench_marks.hpp"
 #include "tests/bench/latency/recorded_frames.hpp"
+#include "tests/bench/resting_arm.hpp"
 #include "tests/scenes/stereo_scene.hpp"
 
 namespace markservo::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr double kGripperOpening = 0.05;  // m
 
 struct Options {
   std::string robot_file = "config/robot.yaml";
@@ -41,21 +40,6 @@ struct Options {
 
 volatile std::sig_atomic_t g_stopped = 0;
 
-std::int64_t wall_clock_us() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
-
-JointState resting(const robot::JointVector& joints) {
-  JointState state{};
-  state.num_joints = robot::kNumJoints;
-  state.position.assign(joints.data(), joints.data() + robot::kNumJoints);
-  state.speed.assign(robot::kNumJoints, 0.0);
-  state.measured = 1;
-  state.gripper_opening = kGripperOpening;
-  return state;
-}
-
 std::vector<StereoFrame> make_frames(const Options& options, const robot::RobotDescription& robot) {
   scenes::SceneParameters scene;
   scene.num_pairs = options.pairs;
@@ -68,7 +52,7 @@ int run(const Options& options) {
   const robot::RobotDescription robot = robot::load_robot_description(options.robot_file);
   if (!robot.arm) throw ConfigurationError(options.robot_file + ": arm: missing; allowed: an arm");
   std::vector<StereoFrame> frames = make_frames(options, robot);
-  JointState joints = resting(robot.arm->home);
+  JointState joints = resting_arm(robot.arm->home);
 
   lcm::LCM lcm(options.lcm_url);
   if (!lcm.good()) throw std::runtime_error("bus " + options.lcm_url + ": cannot be joined");

@@ -25,6 +25,7 @@
 
 #include "common/bus/bus_url.hpp"
 #include "common/bus/publisher.hpp"
+#include "common/time/clocks.hpp"
 
 namespace {
 
@@ -136,11 +137,6 @@ class SampleBus {
   Publisher<markservo::StereoFrame> frames_;
 };
 
-int64_t now_us() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -158,7 +154,7 @@ int main(int argc, char** argv) {
     if (!lcm.good()) throw std::runtime_error(options.url + " cannot be joined");
     SampleBus bus(&lcm, options);
     for (int round = 0; signalled == 0; ++round) {
-      bus.publish(round, now_us());
+      bus.publish(round, markservo::wall_clock_us());
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
   } catch (const std::exception& error) {

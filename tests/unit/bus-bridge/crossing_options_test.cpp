@@ -19,7 +19,8 @@ Crossing one_channel() {
 
 std::string why_refused(const Crossing& crossing, const std::string& local_url = bus::kDefaultUrl) {
   try {
-    check(crossing, local_url);
+    check(crossing);
+    check_beside(crossing, local_url);
   } catch (const ConfigurationError& error) {
     return error.what();
   }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/reflection/value_text.hpp"
 #include "services/bus-top/watch_json.hpp"
 
 namespace markservo::bus_top {
@@ -85,7 +86,7 @@ TEST(WatchJson, HasNullForWhatIsNotKnown) {
 TEST(WatchJson, IsTextWhateverAChannelIsCalled) {
   BusWatch watch;
   watch.observe("A\xff", pose(1), "abc", 0.0);
-  EXPECT_NO_THROW(json_text(watch_json(watch, 2.0, 0.5)));
+  EXPECT_NO_THROW(reflection::json_text(watch_json(watch, 2.0, 0.5)));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <markservo/StereoFrame.hpp>
 #include <markservo/TargetPose.hpp>
 #include <markservo/TaskState.hpp>
+#include "tests/unit/encoded.hpp"
 
 namespace markservo::bus_top {
 namespace {
@@ -17,8 +18,7 @@ using ::testing::Not;
 
 template <class M>
 std::vector<std::string> lines_of(const M& message) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
-  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  const auto bytes = test::encoded(message);
   const auto decoded = reflection::decode(reflection::TypeCatalog::ours(), bytes.data(), bytes.size());
   EXPECT_EQ(decoded.error, "");
   return field_lines(decoded.fields);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "tests/unit/bus/bus_fixture.hpp"
+#include "tests/unit/encoded.hpp"
 
 namespace markservo::bus {
 namespace {
@@ -88,17 +89,14 @@ TEST_F(BusAccounting, TwoWritersAtOnceAreNamed) {
 
 TEST_F(BusAccounting, AnotherTypeOnTheChannelIsADecodeFailure) {
   StopState stop{};
-  std::vector<uint8_t> bytes(static_cast<std::size_t>(stop.getEncodedSize()));
-  stop.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  deliver_bytes(bytes);
+  deliver_bytes(test::encoded(stop));
   EXPECT_EQ(counted().decode_failures, 1);
   EXPECT_EQ(handled_, 0);
 }
 
 TEST_F(BusAccounting, NoBytesAndHalfAMessageAreDecodeFailures) {
   JointState state = joint_state(1);
-  std::vector<uint8_t> bytes(static_cast<std::size_t>(state.getEncodedSize()));
-  state.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  std::vector<uint8_t> bytes = test::encoded(state);
   bytes.resize(bytes.size() / 2);
   deliver_bytes(bytes);
   deliver_bytes({});

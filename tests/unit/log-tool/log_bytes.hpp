@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "services/log-tool/log_format.hpp"
+#include "tests/unit/encoded.hpp"
 
 namespace markservo::log_tool {
 
@@ -33,9 +34,8 @@ inline ByteView view_of(const std::string& bytes) {
 
 template <class M>
 std::string payload(const M& message) {
-  std::string bytes(static_cast<std::size_t>(message.getEncodedSize()), '\0');
-  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  return bytes;
+  const auto bytes = test::encoded(message);
+  return {bytes.begin(), bytes.end()};
 }
 
 inline TargetPose target_pose(std::int64_t utime, std::int64_t session, std::int64_t seq, double x = 0.0) {

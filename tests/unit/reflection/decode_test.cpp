@@ -11,16 +11,12 @@
 #include "common/reflection/lcm_language.hpp"
 #include "common/reflection/message_value.hpp"
 #include "common/reflection/value_text.hpp"
+#include "tests/unit/encoded.hpp"
 
 namespace markservo::reflection {
 namespace {
 
-template <class M>
-std::vector<std::uint8_t> encoded(const M& message) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
-  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  return bytes;
-}
+using test::encoded;
 
 ServiceStatus status() {
   ServiceStatus status{};

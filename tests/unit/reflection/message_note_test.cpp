@@ -5,18 +5,14 @@
 #include <markservo/StopRequest.hpp>
 #include <markservo/TargetPose.hpp>
 #include <vector>
+#include "tests/unit/encoded.hpp"
 
 namespace markservo::reflection {
 namespace {
 
-using reflection::TypeCatalog;
+using test::encoded;
 
-template <class M>
-std::vector<std::uint8_t> encoded(const M& message) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
-  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  return bytes;
-}
+using reflection::TypeCatalog;
 
 MessageNote note_of_bytes(const std::vector<std::uint8_t>& bytes) {
   return note_of(TypeCatalog::ours(), bytes.data(), bytes.size());

@@ -5,6 +5,8 @@
 #include <limits>
 #include <markservo/StereoFrame.hpp>
 
+#include "tests/unit/encoded.hpp"
+
 namespace markservo::reflection {
 namespace {
 
@@ -21,8 +23,7 @@ TEST(ValueText, TellsBytesByTheirNumberInTextAndInJson) {
   StereoFrame frame{};
   frame.left_size = 2;
   frame.left = {7, 8};
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(frame.getEncodedSize()));
-  frame.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  const auto bytes = test::encoded(frame);
   const DecodedMessage message = decode(TypeCatalog::ours(), bytes.data(), bytes.size());
   ASSERT_EQ(message.error, "");
   EXPECT_EQ(text_of(*message.fields.find("left")), "2 bytes");

@@ -1,0 +1,41 @@
+#include "common/bus/tool.hpp"
+
+#include <iostream>
+
+#include "common/bus/service.hpp"
+#include "common/robot/configuration_error.hpp"
+
+namespace markservo::bus {
+
+void add_live_bus_option(CLI::App& app, std::string& url) {
+  const auto objection = [](const std::string& given) {
+    return is_udpm(given) ? std::string() : given + ": allowed is udpm://, a bus that others write on";
+  };
+  app.add_option("--lcm-url", url, "The bus")
+      ->envname("MARKSERVO_LCM_URL")
+      ->check(CLI::Validator(objection, "udpm://"))
+      ->capture_default_str();
+}
+
+int run_tool(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+  const auto complain = [&app](const std::exception& error, int code, const std::string& more = {}) {
+    std::cerr << app.get_name() << ": " << error.what() << more << std::endl;
+    return code;
+  };
+  try {
+    app.parse(argc, argv);
+    return run();
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::Error& error) {
+    return complain(error, kExitBadConfiguration, "; see " + app.get_name() + " --help");
+  } catch (const ConfigurationError& error) {
+    return complain(error, kExitBadConfiguration);
+  } catch (const BusUnavailable& error) {
+    return complain(error, kExitBusUnavailable);
+  } catch (const std::exception& error) {
+    return complain(error, kExitFailed);
+  }
+}
+
+}  // namespace markservo::bus
