@@ -87,16 +87,16 @@ void VisualServoNode::configure(const std::string& robot_file) {
 
 void VisualServoNode::start(bus::Bus& bus) {
   bus_ = &bus;
-  commands_.emplace(bus.advertise<JointCommand>("JOINT_COMMAND"));
-  statuses_.emplace(bus.advertise<ServoStatus>("SERVO_STATUS"));
-  bus.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& stop) {
+  commands_.emplace(bus.advertise(channels::kJointCommand));
+  statuses_.emplace(bus.advertise(channels::kServoStatus));
+  bus.on_each(channels::kStopState, [this](const StopState& stop) {
     if (stop.device == stop_device_) machine_->observe_stop(stop.latched != 0, stop.reason, state_);
   });
-  bus.on_each<JointState>("JOINT_STATE", [this](const JointState& joints) {
+  bus.on_each(channels::kJointState, [this](const JointState& joints) {
     if (!machine_->observe(joint_sample(joints), state_)) throw std::invalid_argument("position is not finite");
   });
-  bus.on_each<ServoGoal>("SERVO_GOAL", [this](const ServoGoal& goal) { machine_->observe(goal_of(goal), state_); });
-  bus.on_latest<TargetPose>("TARGET_POSE", [this](const TargetPose& pose) { handle(pose); });
+  bus.on_each(channels::kServoGoal, [this](const ServoGoal& goal) { machine_->observe(goal_of(goal), state_); });
+  bus.on_latest(channels::kTargetPose, [this](const TargetPose& pose) { handle(pose); });
 }
 
 void VisualServoNode::handle(const TargetPose& pose) {
