@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/motion/sole_writer.hpp"
 #include "common/time/seconds_between.hpp"
 
 namespace markservo::motion {
@@ -83,6 +84,10 @@ bool GoalInbox::end_unless_fresh(std::int64_t now, double age) {
 
 bool GoalInbox::fresh(std::int64_t now, double age) const {
   return goal_ && within(age, goal_->utime, now);
+}
+
+std::string GoalInbox::two() const {
+  return two_write(channel_, holder_, second_ ? second_->session : 0);
 }
 
 std::string GoalInbox::second(std::int64_t now, double age) const {

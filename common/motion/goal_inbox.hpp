@@ -52,6 +52,8 @@ class GoalInbox {
   // Whether that one is fresh at `now` (us).
   bool fresh(std::int64_t now, double age) const;
 
+  // Which two send: of a contested floor.
+  std::string two() const;
   // "a second one sends SERVO_GOAL: session 34 is not obeyed, 12 is"; empty when none did in the last `age` s.
   std::string second(std::int64_t now, double age) const;
 
