@@ -98,13 +98,13 @@ void VisualServoNode::configure(const std::string& robot_file) {
 void VisualServoNode::start(bus::Bus& bus) {
   bus_ = &bus;
   arm_.emplace(stop_device_);
-  commands_.emplace(bus.advertise<JointCommand>("JOINT_COMMAND"));
-  statuses_.emplace(bus.advertise<ServoStatus>("SERVO_STATUS"));
-  stops_.emplace(bus.advertise<StopRequest>("STOP"));
-  bus.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& stop) { on_stop(stop); });
-  bus.on_each<JointState>("JOINT_STATE", [this](const JointState& joints) { on_joints(joints); });
-  bus.on_each<ServoGoal>("SERVO_GOAL", [this](const ServoGoal& goal) { on_goal(goal); });
-  bus.on_latest<TargetPose>("TARGET_POSE", [this](const TargetPose& pose) { on_pose(pose); });
+  commands_.emplace(bus.advertise(channels::kJointCommand));
+  statuses_.emplace(bus.advertise(channels::kServoStatus));
+  stops_.emplace(bus.advertise(channels::kStop));
+  bus.on_each(channels::kStopState, [this](const StopState& stop) { on_stop(stop); });
+  bus.on_each(channels::kJointState, [this](const JointState& joints) { on_joints(joints); });
+  bus.on_each(channels::kServoGoal, [this](const ServoGoal& goal) { on_goal(goal); });
+  bus.on_latest(channels::kTargetPose, [this](const TargetPose& pose) { on_pose(pose); });
 }
 
 void VisualServoNode::on_stop(const StopState& stop) {
@@ -123,7 +123,7 @@ void VisualServoNode::on_stop(const StopState& stop) {
 
 void VisualServoNode::on_joints(const JointState& joints) {
   const JointSample sample = joint_sample(joints);
-  const motion::Word word = arm_->hear_report("JOINT_STATE", {joints.session, joints.seq, joints.utime});
+  const motion::Word word = arm_->hear_report(channels::kJointState.name, {joints.session, joints.seq, joints.utime});
   if (word == motion::Word::kForeign) strangers_ = sample;
   if (word == motion::Word::kAnew) machine_->begin_anew("the clock of JOINT_STATE was set back", state_);
   const std::string why = motion::why_dropped(word);
@@ -140,9 +140,9 @@ void VisualServoNode::on_goal(const ServoGoal& goal) {
 }
 
 void VisualServoNode::on_pose(const TargetPose& pose) {
-  const motion::Heard heard = arm_->hear_stream("TARGET_POSE", stamp_of(pose));
+  const motion::Heard heard = arm_->hear_stream(channels::kTargetPose.name, stamp_of(pose));
   if (heard == motion::Heard::kLate) drop(motion::why_dropped(heard));
-  const motion::Heard frame = arm_->hear_stream("STEREO_FRAME", frame_of(pose));
+  const motion::Heard frame = arm_->hear_stream(channels::kStereoFrame.name, frame_of(pose));
   if (heard == motion::Heard::kAnew || frame == motion::Heard::kAnew) machine_->begin_pictures_anew(state_);
   after_input();
   PoseSample sample = pose_sample(pose);
