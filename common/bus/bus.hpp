@@ -78,6 +78,7 @@ class Bus final : private SubscriptionHost {
 
   template <class M>
   Publisher<M> advertise(const channels::Channel<M>& channel) {
+    advertised_.emplace_back(channel.name);
     return Publisher<M>(out_.get(), full_channel(channel.name), session_);
   }
 
@@ -111,6 +112,8 @@ class Bus final : private SubscriptionHost {
   const BusUrls& urls() const { return parameters_.urls; }
   // The prefix of all channels, empty for none.
   const std::string& robot() const { return parameters_.robot; }
+  // The channels advertised, in that order, without the prefix.
+  const std::vector<std::string>& advertised() const { return advertised_; }
   // What SERVICE_STATUS says now.
   ServiceStatus status() const;
 
@@ -146,6 +149,7 @@ class Bus final : private SubscriptionHost {
   std::shared_ptr<lcm::LCM> in_;
   std::shared_ptr<lcm::LCM> out_;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
+  std::vector<std::string> advertised_;
   std::vector<std::pair<const Bus*, std::string>> reported_also_;  // with their channels' prefix
   std::vector<Timer> timers_;
   std::unique_ptr<Publisher<ServiceStatus>> status_publisher_;

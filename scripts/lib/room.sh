@@ -8,7 +8,10 @@
 who_is_in_the_way() {
   local status=0 lines
   lines=$("$1" --lcm-url "$2" --for 1.2 "${@:3}" 2>/dev/null) || status=$?
-  if ((status == 1)); then printf '%s\n' "${lines:-$1 failed}"; fi
+  case $status in
+    1) printf '%s\n' "${lines:-$1 failed}" ;;
+    2) printf '%s\n' "$1 is not of this version: scripts/build makes it" ;;
+  esac
 }
 
 # require_room SERVICE...: ends when somebody outside of this stack writes already what these services would write. What

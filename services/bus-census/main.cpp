@@ -51,6 +51,7 @@ int tell_room(const Options& options, const census::Report& report) {
 }
 
 int run(const Options& options) {
+  if (!options.room.services.empty() && !census::needs_room(options.room.services)) return markservo::bus::kExitStopped;
   census::BusCensusNode node(options.url, options.follow);
   if (options.follow) {
     node.on_status = [](const census::ServiceWord& word) { print(json_of(word)); };

@@ -57,6 +57,11 @@ std::string other_writers(const Report& report, const RoomWish& wish, const Chan
 
 }  // namespace
 
+bool needs_room(const std::vector<std::string>& services) {
+  return std::any_of(services.begin(), services.end(),
+                     [](const std::string& service) { return channel_of_its_own(service) != nullptr; });
+}
+
 std::vector<std::string> obstacles(const Report& report, const RoomWish& wish) {
   std::vector<std::string> lines;
   for (const ChannelReport& channel : report.channels) {

@@ -82,6 +82,11 @@ TEST(Room, IsBesideAnyNumberOfBridgesAndWatchers) {
   EXPECT_EQ(obstacles(bus_with("mark-watcher", ""), wish_for("mark-watcher")), Lines{});
 }
 
+TEST(Room, IsNeededByWhoWritesWhatOneAloneMayWrite) {
+  EXPECT_TRUE(needs_room({"mark-watcher", "simulator"}));
+  EXPECT_FALSE(needs_room({"mark-watcher", "bus-bridge", "task-operator", "none"}));
+}
+
 TEST(Room, IsInThePlaceOfOnesOwnProcesses) {
   RoomWish wish = wish_for("simulator");
   wish.own = {kPid};
