@@ -2,9 +2,9 @@
 # Whether services may be started on a bus: a second simulator would move the arm that another holds. To be sourced after
 # project.sh.
 
-# who_is_in_the_way CENSUS URL OPTION...: one line for each channel that somebody writes already although one of the
-# services alone may write it; nothing where there is room, or where nobody can listen (the services say why). OPTION as
-# of bus-census: --room-for SERVICE,... [--robot NAME] [--own PID,...].
+# who_is_in_the_way CENSUS URL OPTION...: one line for each who writes already what one of the services alone may write;
+# nothing where there is room, or where nobody can listen (the services say why). OPTION as of bus-census: --room-for
+# SERVICE,... [--robot NAME] [--own PID,...].
 who_is_in_the_way() {
   local status=0 lines
   lines=$("$1" --lcm-url "$2" --for 1.2 "${@:3}" 2>/dev/null) || status=$?
@@ -28,8 +28,8 @@ require_room() {
   options=(--robot "$prefix" --room-for "$(IFS=,; printf '%s' "$*")")
   if [[ -n $own ]]; then options+=(--own "$own"); fi
   lines=$(who_is_in_the_way "$tool" "$url" "${options[@]}")
-  [[ -z $lines ]] || fail "on $url ${lines//$'\n'/; }: nothing was started (scripts/stack stop ends another stack; \
---robot NAME keeps two robots apart)"
+  [[ -z $lines ]] || fail "on $url ${lines//$'\n'/; }: nothing was started (its own scripts/stack stop ends another \
+stack; --robot NAME keeps two robots apart)"
 }
 
 # robot_of_stack: the --robot that the stack's services were started with; nothing for none.

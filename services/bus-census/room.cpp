@@ -1,6 +1,7 @@
 #include "services/bus-census/room.hpp"
 
 #include <algorithm>
+#include <map>
 #include <markservo/channels.hpp>
 
 #include "common/reflection/value_text.hpp"
@@ -43,14 +44,18 @@ const ServiceWord* word_of(const Report& report, int64_t session) {
   return nullptr;
 }
 
-// The writers of a channel who are not the wish's own, one after the other.
-std::string other_writers(const Report& report, const RoomWish& wish, const ChannelReport& channel) {
-  if (channel.writers.empty()) return "a program that does not say who it is";
-  std::string names;
+// The writers of a channel who are not the wish's own.
+std::set<std::string> other_writers(const Report& report, const RoomWish& wish, const ChannelReport& channel) {
+  const std::string unknown = "a program that does not say who it is";
+  if (channel.writers.empty()) return {unknown};
+  std::set<std::string> names;
   for (const WriterReport& writer : channel.writers) {
     const ServiceWord* word = word_of(report, writer.session);
-    if (word != nullptr && is_own(wish, *word)) continue;
-    names += (names.empty() ? "" : ", ") + (word == nullptr ? "a program that does not say who it is" : who(*word));
+    if (word == nullptr) {
+      names.insert(unknown);
+    } else if (!is_own(wish, *word)) {
+      names.insert(who(*word));
+    }
   }
   return names;
 }
@@ -63,21 +68,24 @@ bool needs_room(const std::vector<std::string>& services) {
 }
 
 std::vector<std::string> obstacles(const Report& report, const RoomWish& wish) {
-  std::vector<std::string> lines;
+  std::map<std::string, std::string> channels_by_writer;
   for (const ChannelReport& channel : report.channels) {
     if (!is_its_robot(wish, robot_of(channel.channel)) || !shall_write(wish, channel.channel)) continue;
-    const std::string others = other_writers(report, wish, channel);
-    if (!others.empty()) lines.push_back(reflection::printable(channel.channel + " is written by " + others));
+    for (const std::string& writer : other_writers(report, wish, channel)) {
+      std::string& names = channels_by_writer[writer];
+      names += (names.empty() ? "" : ", ") + channel.channel;
+    }
+  }
+  std::vector<std::string> lines;
+  for (const auto& [writer, names] : channels_by_writer) {
+    lines.push_back(reflection::printable(writer + " writes " + names));
   }
   for (const ServiceReport& service : report.services) {
     const ServiceWord& word = service.newest;
     const bool wished = std::find(wish.services.begin(), wish.services.end(), word.name) != wish.services.end();
     if (!wished || !is_its_robot(wish, word.robot) || is_own(wish, word)) continue;
     const channels::Entry* own_channel = channel_of_its_own(word.name);
-    const bool named = std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
-      return line.find(reflection::printable(who(word))) != std::string::npos;
-    });
-    if (own_channel == nullptr || named) continue;
+    if (own_channel == nullptr || channels_by_writer.count(who(word)) > 0) continue;
     lines.push_back(reflection::printable(who(word) + " runs already: it alone may write " + own_channel->name));
   }
   return lines;

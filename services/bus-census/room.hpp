@@ -21,9 +21,9 @@ struct RoomWish {
 // Whether one of the services writes what one alone may write. None does: nobody can be in its way.
 bool needs_room(const std::vector<std::string>& services);
 
-// One line for each channel that one of the services writes and somebody else writes already, as the table of channels
-// says, with its writer; and for each of the services that somebody else runs, even if it has written nothing yet.
-// None: there is room. The lines are printable ASCII, whatever was heard.
+// One line for each writer of channels that one of the services alone may write, as the table of channels says, with
+// those channels; and one for each of the services that somebody else runs, even if it has written nothing yet. None:
+// there is room. The lines are printable ASCII, whatever was heard.
 std::vector<std::string> obstacles(const Report& report, const RoomWish& wish);
 
 }  // namespace markservo::bus_census

@@ -45,17 +45,17 @@ TEST(Room, IsOnAnEmptyBus) {
 
 TEST(Room, IsNotWhereWhatOneAloneMayWriteIsWritten) {
   EXPECT_EQ(obstacles(bus_with("arm-driver", "JOINT_STATE"), wish_for("simulator")),
-            Lines{"JOINT_STATE is written by arm-driver (process 41 on here)"});
+            Lines{"arm-driver (process 41 on here) writes JOINT_STATE"});
 }
 
 TEST(Room, IsNotBesideAWriterWhoDoesNotSayWhoItIs) {
   Report report = bus_with("arm-driver", "JOINT_STATE");
   report.services.clear();
   EXPECT_EQ(obstacles(report, wish_for("simulator")),
-            Lines{"JOINT_STATE is written by a program that does not say who it is"});
+            Lines{"a program that does not say who it is writes JOINT_STATE"});
   report.channels[0].writers.clear();  // its messages cannot be decoded
   EXPECT_EQ(obstacles(report, wish_for("simulator")),
-            Lines{"JOINT_STATE is written by a program that does not say who it is"});
+            Lines{"a program that does not say who it is writes JOINT_STATE"});
 }
 
 TEST(Room, IsNotBesideTheSameServiceEvenIfItHasWrittenNothingYet) {
@@ -63,7 +63,12 @@ TEST(Room, IsNotBesideTheSameServiceEvenIfItHasWrittenNothingYet) {
             Lines{"mark-detector (process 41 on here) runs already: it alone may write MARK_DETECTION"});
 }
 
-TEST(Room, NamesAnObstacleOnce) {
+TEST(Room, NamesAnObstacleOnceWithAllItsChannels) {
+  Report report = bus_with("simulator", "JOINT_STATE");
+  report.channels.push_back(report.channels[0]);
+  report.channels.back().channel = "STEREO_FRAME";
+  EXPECT_EQ(obstacles(report, wish_for("simulator")),
+            Lines{"simulator (process 41 on here) writes JOINT_STATE, STEREO_FRAME"});
   EXPECT_EQ(obstacles(bus_with("task-manager", "TASK_STATE"), wish_for("task-manager")).size(), 1U);
 }
 
@@ -106,7 +111,7 @@ TEST(Room, IsBesideAnotherRobotUnlessAnyCounts) {
 
 TEST(Room, IsRefusedInPrintableWords) {
   EXPECT_EQ(obstacles(bus_with("simulator\x1b[2J", "JOINT_STATE"), wish_for("simulator")),
-            Lines{"JOINT_STATE is written by simulator?[2J (process 41 on here)"});
+            Lines{"simulator?[2J (process 41 on here) writes JOINT_STATE"});
 }
 
 }  // namespace
