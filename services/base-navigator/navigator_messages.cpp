@@ -59,7 +59,7 @@ void answer(M& message, const OdometryId& odometry) {
 }  // namespace
 
 OdometrySample odometry_sample(const WheelOdometry& message) {
-  return {message.utime, message.session, message.left_distance, message.right_distance};
+  return {message.utime, message.left_distance, message.right_distance};
 }
 
 PoseSample pose_sample(const RobotPose& message) {

@@ -15,8 +15,7 @@ namespace markservo::base_navigator {
 // One WHEEL_ODOMETRY.
 struct OdometrySample {
   std::int64_t utime = 0;
-  std::int64_t session = 0;  // of the writer
-  double left = 0.0;         // m, way of the wheel since the driver started
+  double left = 0.0;  // m, way of the wheel since the driver started
   double right = 0.0;
 };
 

@@ -25,6 +25,7 @@ enum class CommandKind { kStart, kAbort, kHome };
 struct Command {
   std::int64_t session = 0;
   std::int64_t id = 0;
+  std::int64_t utime = 0;  // us, as the sender last heard the task's time
   CommandKind kind = CommandKind::kAbort;
   std::string target;
   bool carry = false;
@@ -81,6 +82,7 @@ struct StopReport {
 // Everything at one SERVO_STATUS.
 struct Input {
   std::int64_t utime = 0;  // the frame's
+  std::int64_t now = 0;    // us, the arm's newest time: what commands' age is judged by
   ServoReport servo;
   std::int64_t pose_utime = 0;  // of the newest TARGET_POSE; 0: none yet
   std::vector<MarkReport> marks;

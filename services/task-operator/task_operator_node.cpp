@@ -6,6 +6,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "common/messages/motion_messages.hpp"
+#include "common/motion/mover_watch.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
 
@@ -31,6 +33,22 @@ Action action_of(const std::string& text) {
                                                      {"stop", Action::kStop},
                                                      {"reset", Action::kReset}};
   return actions.at(text);
+}
+
+motion::CommandKind kind_of(Action action) {
+  switch (action) {
+    case Action::kStart:
+      return motion::CommandKind::kStart;
+    case Action::kHome:
+      return motion::CommandKind::kHome;
+    case Action::kAbort:
+      return motion::CommandKind::kAbort;
+    case Action::kReset:
+      return motion::CommandKind::kReset;
+    case Action::kStop:
+      break;
+  }
+  return motion::CommandKind::kStop;
 }
 
 std::string targets_of(const robot::RobotDescription& robot) {
@@ -86,6 +104,7 @@ void TaskOperatorNode::configure(const std::string& robot_file) {
     throw ConfigurationError("--target, --drive or --carry: without start; allowed: with start");
   }
   dialogue_.emplace(action_, robot.stop_devices, parameters_);
+  sender_.emplace(robot.stop_devices);
 }
 
 void TaskOperatorNode::start(bus::Bus& bus) {
@@ -97,6 +116,7 @@ void TaskOperatorNode::start(bus::Bus& bus) {
 }
 
 void TaskOperatorNode::on_stop_state(const StopState& state) {
+  sender_->hear_stop_state(state.device, state.utime);
   StopReport report;
   report.device = state.device;
   report.latched = state.latched != 0;
@@ -109,6 +129,10 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
   if (state.state < TaskState::IDLE || state.state > TaskState::DRIVE) {
     throw std::invalid_argument("state is " + std::to_string(state.state) + "; allowed: 0 to 16");
   }
+  const motion::Heard heard = task_.hear(messages::stamp_of(state), 0);
+  if (heard == motion::Heard::kSecond) dialogue_->hear_two(task_.words());
+  messages::drop(motion::why_dropped(heard));
+  sender_->hear_task_state(state.utime);
   TaskReport report;
   report.time = 1e-6 * static_cast<double>(state.utime);
   if (state.command_session == bus_->session() && state.command_id == kRequest) {
@@ -124,9 +148,11 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
 }
 
 void TaskOperatorNode::send() {
+  const auto utime = sender_->stamp(kind_of(action_));
+  if (!utime) return;  // it would be refused; who has not spoken is told when patience ends
   if (action_ == Action::kStop || action_ == Action::kReset) {
     StopRequest request{};
-    request.utime = bus_->newest_utime();
+    request.utime = *utime;
     request.session = bus_->session();
     request.request_id = kRequest;
     request.kind = action_ == Action::kStop ? StopRequest::STOP : StopRequest::RESET;
@@ -136,7 +162,7 @@ void TaskOperatorNode::send() {
     return;
   }
   TaskCommand command{};
-  command.utime = bus_->newest_utime();
+  command.utime = *utime;
   command.session = bus_->session();
   command.command_id = kRequest;
   command.kind = action_ == Action::kStart  ? TaskCommand::START

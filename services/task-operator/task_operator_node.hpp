@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "common/bus/service.hpp"
+#include "common/motion/command_sender.hpp"
+#include "common/motion/sole_writer.hpp"
 #include "services/task-operator/dialogue.hpp"
 
 namespace markservo::task_operator {
@@ -41,6 +43,8 @@ class TaskOperatorNode : public bus::Service {
   Parameters parameters_;
 
   std::optional<Dialogue> dialogue_;
+  std::optional<motion::CommandSender> sender_;
+  motion::SoleWriter task_{"TASK_STATE"};
   bus::Bus* bus_ = nullptr;
   std::optional<bus::Publisher<StopRequest>> stops_;
   std::optional<bus::Publisher<TaskCommand>> commands_;

@@ -1,38 +1,8 @@
-#include "common/bus/command_inbox.hpp"
 #include "common/bus/repeat_timer.hpp"
 #include "tests/unit/bus/bus_fixture.hpp"
 
 namespace markservo::bus {
 namespace {
-
-TEST(CommandInbox, ExecutesARepeatedCommandOnce) {
-  CommandInbox inbox;
-  EXPECT_TRUE(inbox.accept(7, 1));
-  EXPECT_FALSE(inbox.accept(7, 1));
-  EXPECT_TRUE(inbox.accept(7, 2));
-}
-
-TEST(CommandInbox, NeverExecutesAnOlderCommandThatArrivesLate) {
-  CommandInbox inbox;
-  EXPECT_TRUE(inbox.accept(7, 2));
-  EXPECT_FALSE(inbox.accept(7, 1));
-}
-
-TEST(CommandInbox, KeepsSendersApart) {
-  CommandInbox inbox;
-  EXPECT_TRUE(inbox.accept(7, 1));
-  EXPECT_TRUE(inbox.accept(8, 1));
-  EXPECT_FALSE(inbox.accept(7, 1));
-}
-
-TEST(CommandInbox, EchoesTheLastThatWasExecuted) {
-  CommandInbox inbox;
-  EXPECT_EQ(inbox.session(), 0);
-  inbox.accept(7, 3);
-  inbox.accept(7, 2);
-  EXPECT_EQ(inbox.session(), 7);
-  EXPECT_EQ(inbox.id(), 3);
-}
 
 TEST(RepeatTimer, IsDueFiveTimesASecondOfMessageTime) {
   RepeatTimer timer(kStateRepeat_us);
