@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "services/stack-watch/group_socket.hpp"
+#include "services/stack-watch/group_device.hpp"
 #include "services/stack-watch/heard.hpp"
 #include "services/stack-watch/lcm_datagram.hpp"
 #include "services/stack-watch/silence.hpp"
@@ -68,7 +68,7 @@ class StackWatchNode {
   std::string host_;
   int64_t session_;
   int64_t seq_ = 0;
-  GroupSocket socket_;
+  GroupDevice socket_;
   std::atomic<bool> ended_{false};
   std::thread asking_;
 

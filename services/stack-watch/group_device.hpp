@@ -28,12 +28,12 @@ struct Datagram {
 
 // A multicast group's datagrams, in and out, without liblcm, which a crafted one kills. While there is no network it is
 // closed; open() tries again.
-class GroupSocket {
+class GroupDevice {
  public:
-  explicit GroupSocket(GroupAddress address) : address_(std::move(address)) {}
-  ~GroupSocket() { shut(); }
-  GroupSocket(const GroupSocket&) = delete;
-  GroupSocket& operator=(const GroupSocket&) = delete;
+  explicit GroupDevice(GroupAddress address) : address_(std::move(address)) {}
+  ~GroupDevice() { shut(); }
+  GroupDevice(const GroupDevice&) = delete;
+  GroupDevice& operator=(const GroupDevice&) = delete;
 
   // Joins the group, anew where it had; the reason why not, or an empty text.
   std::string open();

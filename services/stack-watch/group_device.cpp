@@ -1,4 +1,4 @@
-#include "services/stack-watch/group_socket.hpp"
+#include "services/stack-watch/group_device.hpp"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -77,7 +77,7 @@ GroupAddress group_address(const std::string& url) {
   return address;
 }
 
-std::string GroupSocket::open() {
+std::string GroupDevice::open() {
   shut();
   const int descriptor = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (descriptor < 0) return std::strerror(errno);
@@ -98,12 +98,12 @@ std::string GroupSocket::open() {
   return {};
 }
 
-void GroupSocket::shut() {
+void GroupDevice::shut() {
   if (descriptor_ >= 0) close(descriptor_);
   descriptor_ = -1;
 }
 
-void GroupSocket::poll(std::chrono::milliseconds timeout, const std::function<void(const Datagram&)>& handler) {
+void GroupDevice::poll(std::chrono::milliseconds timeout, const std::function<void(const Datagram&)>& handler) {
   constexpr int kMost = 4096;  // so that a flood cannot keep the caller from its other work
   if (!is_open()) {
     std::this_thread::sleep_for(timeout);
@@ -121,7 +121,7 @@ void GroupSocket::poll(std::chrono::milliseconds timeout, const std::function<vo
   }
 }
 
-bool GroupSocket::send(const std::vector<std::uint8_t>& bytes) const {
+bool GroupDevice::send(const std::vector<std::uint8_t>& bytes) const {
   if (!is_open()) return false;
   const sockaddr_in group = internet_address(address_.group, address_.port);
   return sendto(descriptor_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&group), sizeof group) >=
