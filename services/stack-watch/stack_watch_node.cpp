@@ -10,6 +10,7 @@ extern "C" {
 #include <algorithm>
 #include <csignal>
 #include <markservo/ServiceStatus.hpp>
+#include <markservo/channels.hpp>
 #include <nlohmann/json.hpp>
 
 #include "common/bus/end_signals.hpp"
@@ -237,7 +238,8 @@ void StackWatchNode::speak() {
   std::vector<std::uint8_t> payload(static_cast<std::size_t>(status.getEncodedSize()));
   status.encode(payload.data(), 0, static_cast<int>(payload.size()));
   silence_.send_beacon();
-  const std::string channel = (settings_.robot.empty() ? "" : settings_.robot + "/") + "SERVICE_STATUS";
+  const std::string channel =
+      (settings_.robot.empty() ? "" : settings_.robot + "/") + std::string(channels::kServiceStatus.name);
   socket_.send(short_message(static_cast<std::uint32_t>(seq_), channel, payload));
 }
 
