@@ -1,9 +1,9 @@
-#include "services/bus-census/census.hpp"
+#include "common/census/census.hpp"
 
 #include <algorithm>
 #include <markservo/channels.hpp>
 
-namespace markservo::bus_census {
+namespace markservo::census {
 namespace {
 
 constexpr double kSeconds = 1e-6;  // in a microsecond
@@ -57,8 +57,9 @@ void Census::hear(const Heard& message) {
 }
 
 void Census::hear(const ServiceWord& word, int64_t utime) {
-  if (services_.size() >= kMaxChannels) return;
-  ServiceTally& tally = services_[Process{word.robot, word.name, word.host, word.pid, word.session}];
+  const Process process{word.robot, word.name, word.host, word.pid, word.session};
+  if (services_.size() >= kMaxServices && services_.count(process) == 0) return;
+  ServiceTally& tally = services_[process];
   const int64_t behind = utime - word.utime;
   tally.behind_us = tally.heard == 0 ? behind : std::min(tally.behind_us, behind);
   tally.newest = word;
@@ -69,6 +70,7 @@ void Census::hear(const ServiceWord& word, int64_t utime) {
 
 // A service that was restarted speaks with a new session and never again with the old one.
 bool Census::is_duplicate(const ServiceTally& tally) const {
+  if (tally.newest.name == kStackWatch) return false;
   const auto name = names_.find(Name{tally.newest.robot, tally.newest.name});
   return name != names_.end() && name->second.second_writer();
 }
@@ -113,4 +115,4 @@ Report Census::report(int64_t utime) const {
   return report;
 }
 
-}  // namespace markservo::bus_census
+}  // namespace markservo::census

@@ -12,7 +12,7 @@
 
 #include "common/bus/sequence_monitor.hpp"
 
-namespace markservo::bus_census {
+namespace markservo::census {
 
 // One message as it came off the bus.
 struct Heard {
@@ -53,6 +53,9 @@ struct ServiceWord {
   int64_t utime = 0;  // us, its host's wall clock
   std::vector<ChannelWord> channels;
 };
+
+// The service that watches over a stack: each stack on a bus has its own.
+inline constexpr const char* kStackWatch = "stack-watch";
 
 // Whether a service in this state does its work: it has started and waits for no input.
 bool is_ready(const std::string& state);
@@ -113,6 +116,7 @@ class Census {
  private:
   // More are not kept apart: a hostile writer must not take all memory.
   static constexpr std::size_t kMaxChannels = 4096;
+  static constexpr std::size_t kMaxServices = 2048;
   static constexpr std::size_t kMaxWriters = 64;  // of one channel
 
   struct ChannelTally {
@@ -143,4 +147,4 @@ class Census {
   std::map<Name, bus::SequenceMonitor> names_;
 };
 
-}  // namespace markservo::bus_census
+}  // namespace markservo::census

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "services/bus-census/census.hpp"
+#include "common/census/census.hpp"
 
-namespace markservo::bus_census {
+namespace markservo::census {
 
 // The report's services and channels: {"listened_s", "services": [...], "channels": [...]}. Sessions, hashes and types'
 // fingerprints are text ("0x..."): JSON's numbers hold 53 bits. Text that is not UTF-8 is replaced where it is not.
@@ -17,4 +17,4 @@ nlohmann::ordered_json json_of(const ServiceWord& word);
 // Both as tables for a person, a line each, without control characters.
 std::string table_of(const Report& report);
 
-}  // namespace markservo::bus_census
+}  // namespace markservo::census

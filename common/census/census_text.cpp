@@ -1,4 +1,4 @@
-#include "services/bus-census/census_text.hpp"
+#include "common/census/census_text.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -7,7 +7,7 @@
 #include "common/reflection/type_catalog.hpp"
 #include "common/reflection/value_text.hpp"
 
-namespace markservo::bus_census {
+namespace markservo::census {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -166,4 +166,4 @@ std::string table_of(const Report& report) {
   return text + aligned(services) + "\n" + aligned(channels);
 }
 
-}  // namespace markservo::bus_census
+}  // namespace markservo::census

@@ -1,10 +1,10 @@
-#include "services/bus-census/census.hpp"
+#include "common/census/census.hpp"
 
 #include <gtest/gtest.h>
 
-#include "services/bus-census/census_text.hpp"
+#include "common/census/census_text.hpp"
 
-namespace markservo::bus_census {
+namespace markservo::census {
 namespace {
 
 constexpr int64_t kBegin_us = 1'700'000'000'000'000;
@@ -176,4 +176,4 @@ TEST(CensusText, SaysThatNobodyIsThere) {
 }
 
 }  // namespace
-}  // namespace markservo::bus_census
+}  // namespace markservo::census
