@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/bus/message_rules.hpp"
-#include "common/bus/message_traits.hpp"
+#include "common/messages/message_rules.hpp"
 
 namespace markservo::bus {
 
@@ -19,14 +18,16 @@ class Publisher {
   Publisher(lcm::LCM* lcm, std::string channel, int64_t session)
       : lcm_(lcm), channel_(std::move(channel)), session_(session) {}
 
-  // Fills session and seq (of types that have both) and sends. Throws std::invalid_argument, and sends nothing, if the
-  // message breaks its type's rules or a length field disagrees with its vector; std::runtime_error if the bus refuses.
+  // Fills session and seq (of types that have both), makes the texts fit and sends. Throws std::invalid_argument, and
+  // sends nothing, if the message breaks its type's rules or a length field disagrees with its vector;
+  // std::runtime_error if the bus refuses.
   void publish(M& message) {
-    if constexpr (has_seq<M>::value) {
+    if constexpr (messages::has_seq<M>::value) {
       message.session = session_;
       message.seq = seq_ + 1;
     }
-    if (const std::string why = broken_rule(message); !why.empty()) {
+    messages::clean_texts(message);
+    if (const std::string why = messages::broken_rule(message); !why.empty()) {
       throw std::invalid_argument("publish on " + channel_ + ": " + why);
     }
     buffer_.resize(static_cast<std::size_t>(message.getEncodedSize()));

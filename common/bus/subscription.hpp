@@ -11,9 +11,8 @@
 #include <utility>
 
 #include "common/bus/channel_counters.hpp"
-#include "common/bus/message_rules.hpp"
-#include "common/bus/message_traits.hpp"
 #include "common/bus/safe_decode.hpp"
+#include "common/messages/message_rules.hpp"
 
 namespace markservo::bus {
 
@@ -77,10 +76,12 @@ class TypedSubscription final : public Subscription {
       host_->complain(channel_, why);
       return;
     }
-    if (const std::string why = broken_rule(message); !why.empty()) return refuse(why);
-    if (host_->from_the_future(message.utime)) {
-      return refuse("utime " + std::to_string(message.utime) +
-                    " us is ahead of this host's clock; allowed: at most 20 ms");
+    if (!messages::mend_if_it_must_be_obeyed(message)) {
+      if (const std::string why = messages::broken_rule(message); !why.empty()) return refuse(why);
+      if (host_->from_the_future(message.utime)) {
+        return refuse("utime " + std::to_string(message.utime) +
+                      " us is ahead of this host's clock; allowed: at most 20 ms");
+      }
     }
     accept(std::move(message));
   }
@@ -106,7 +107,7 @@ class TypedSubscription final : public Subscription {
 
   void accept(M&& message) {
     ++counters_.received;
-    if constexpr (has_seq<M>::value) {
+    if constexpr (messages::has_seq<M>::value) {
       if (exclusive_) counters_.sequence.observe(message.session, message.seq);
     }
     counters_.newest_utime = message.utime;

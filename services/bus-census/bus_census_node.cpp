@@ -6,6 +6,7 @@
 #include "common/bus/end_signals.hpp"
 #include "common/bus/safe_decode.hpp"
 #include "common/reflection/message_note.hpp"
+#include "common/text/text.hpp"
 #include "common/time/clocks.hpp"
 
 namespace markservo::bus_census {
@@ -14,21 +15,23 @@ namespace {
 constexpr const char* kStatusChannel = "(.*/)?SERVICE_STATUS";
 constexpr int kQueue = 1000;  // messages that wait; rates must not suffer from a slow moment
 
+// As it may be shown: scripts print the words of the JSON.
 ServiceWord word_of(const ServiceStatus& status, const std::string& channel) {
   ServiceWord word;
-  word.robot = robot_of(channel);
-  word.name = status.name;
-  word.host = status.host;
+  word.robot = robot_of(text::printable(channel));
+  word.name = text::printable(status.name);
+  word.host = text::printable(status.host);
   word.pid = status.pid;
   word.session = status.session;
-  word.version = status.version;
+  word.version = text::printable(status.version);
   word.config_hash = status.config_hash;
-  word.state = status.state;
-  word.reason = status.reason;
+  word.state = text::printable(status.state);
+  word.reason = text::printable(status.reason);
   word.utime = status.utime;
   for (const ChannelStatus& each : status.channels) {
-    word.channels.push_back({each.channel, each.received, each.skipped, each.lost, each.decode_failures, each.refused,
-                             each.second_writer != 0, each.age, each.latency_p50, each.latency_p99});
+    word.channels.push_back({text::printable(each.channel), each.received, each.skipped, each.lost,
+                             each.decode_failures, each.refused, each.second_writer != 0, each.age, each.latency_p50,
+                             each.latency_p99});
   }
   return word;
 }
@@ -36,7 +39,7 @@ ServiceWord word_of(const ServiceStatus& status, const std::string& channel) {
 Heard heard_of(const bus::HeardBytes& message) {
   const auto note = reflection::note_of(reflection::TypeCatalog::ours(), message.data, message.size);
   Heard heard;
-  heard.channel = message.channel;
+  heard.channel = text::printable(message.channel);
   heard.bytes = static_cast<int64_t>(message.size);
   heard.utime = message.utime;
   heard.hash = static_cast<int64_t>(note.fingerprint.value_or(0));

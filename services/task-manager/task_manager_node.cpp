@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "common/bus/message_traits.hpp"
+#include "common/messages/message_traits.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
 #include "services/task-manager/options.hpp"
@@ -151,7 +151,7 @@ void TaskManagerNode::on_status(const ServoStatus& status) {
   if (output.goal) send(*output.goal, status);
   if (output.drive_goal) send(*output.drive_goal, status);
   TaskState message;
-  bus::answer_frame(message, status);
+  messages::answer_frame(message, status);
   message.command_session = output.command_session;
   message.command_id = output.command_id;
   message.state = static_cast<int8_t>(output.phase);

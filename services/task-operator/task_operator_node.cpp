@@ -8,6 +8,7 @@
 
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
+#include "common/text/text.hpp"
 
 namespace markservo::task_operator {
 namespace {
@@ -157,10 +158,11 @@ void TaskOperatorNode::run(bus::Bus& bus) {
   do {
     const Step step = dialogue_->step(steady_seconds());
     if (step.send) send();
-    for (const std::string& line : step.lines) std::cout << line << std::endl;
+    for (const std::string& line : step.lines) std::cout << text::printable(line) << std::endl;
     if (!step.ending) continue;
     exit_code_ = step.ending->exit_code;
-    (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ") << step.ending->line << std::endl;
+    (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ")
+        << text::printable(step.ending->line) << std::endl;
     return;
   } while (bus.poll(std::chrono::milliseconds(50)));
   exit_code_ = kExitInterrupted;

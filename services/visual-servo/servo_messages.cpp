@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/bus/message_traits.hpp"
+#include "common/messages/message_traits.hpp"
 
 namespace markservo::visual_servo {
 namespace {
@@ -122,7 +122,7 @@ PoseSample pose_sample(const TargetPose& message) {
 
 JointCommand command_message(const Command& command, const TargetPose& pose) {
   JointCommand message{};
-  bus::answer_frame(message, pose);
+  messages::answer_frame(message, pose);
   message.num_joints = robot::kNumJoints;
   message.position.assign(command.position.data(), command.position.data() + robot::kNumJoints);
   message.speed_limit.assign(command.speed_limit.data(), command.speed_limit.data() + robot::kNumJoints);
@@ -133,7 +133,7 @@ JointCommand command_message(const Command& command, const TargetPose& pose) {
 
 ServoStatus status_message(const Status& status, const TargetPose& pose) {
   ServoStatus message{};
-  bus::answer_frame(message, pose);
+  messages::answer_frame(message, pose);
   message.goal_session = status.goal_session;
   message.goal_id = status.goal_id;
   message.state = code_of(status.state);

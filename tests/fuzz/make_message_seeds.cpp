@@ -15,7 +15,7 @@ namespace {
 template <class M>
 M numbered() {
   M message{};
-  if constexpr (bus::has_seq<M>::value) {
+  if constexpr (messages::has_seq<M>::value) {
     message.session = 1;
     message.seq = 1;
   }
@@ -180,7 +180,7 @@ BaseGoal valid_message<BaseGoal>() {
 template <class M>
 void write(const std::string& folder, uint8_t index) {
   const M message = valid_message<M>();
-  if (const std::string why = bus::broken_rule(message); !why.empty()) {
+  if (const std::string why = messages::broken_rule(message); !why.empty()) {
     std::fprintf(stderr, "the seed of %s is not valid: %s\n", M::getTypeName(), why.c_str());
   }
   std::vector<uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
