@@ -38,7 +38,7 @@ class NodeOnBus {
   };
 
   // `channel` is what the node reads.
-  explicit NodeOnBus(std::string channel) : channel_(std::move(channel)), bus_(parameters()) {
+  explicit NodeOnBus(const channels::Entry& channel) : channel_(channel), bus_(parameters()) {
     spdlog::set_level(spdlog::level::off);
     CLI::App app;
     node_.add_options(app);
@@ -51,14 +51,14 @@ class NodeOnBus {
 
   // Sends to the node and handles all that follows from it.
   void send(const Datagram& datagram) {
-    bus_.publish_raw(channel_, datagram.bytes.data(), datagram.bytes.size());
+    bus_.publish_raw(channel_.name, datagram.bytes.data(), datagram.bytes.size());
     for (int i = 0; i < 2; ++i) bus_.poll(std::chrono::milliseconds(0));  // the message, then the answers
   }
 
   Counts counts() const {
     Counts counts;
     for (const auto& status : bus_.status().channels) {
-      if (status.channel == channel_) counts = {status.received, status.refused};
+      if (status.channel == channel_.name) counts = {status.received, status.refused};
     }
     return counts;
   }
@@ -71,7 +71,7 @@ class NodeOnBus {
     return parameters;
   }
 
-  std::string channel_;
+  channels::Entry channel_;
   bus::Bus bus_;
   Node node_;
 };
