@@ -84,6 +84,7 @@ int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const 
   parameters.service_name = info.name;
   parameters.robot = options.robot;
   parameters.config_hash = config_hash(app, options.robot_file);
+  parameters.waits_for_network = service.waits_for_network();
   Bus bus(parameters);
   service.start(bus);
   // One that waits for something has said so.

@@ -118,6 +118,10 @@ void BaseNavigatorNode::start(bus::Bus& bus) {
               [this](const SonarScan& scan) { refuse(navigator_->observe(scan_sample(scan), state_)); });
   bus.on_each(channels::kWheelOdometry, [this](const WheelOdometry& odometry) { handle(odometry); });
   bus.on_each(channels::kRobotPose, [this](const RobotPose& pose) { handle(pose); });
+  bus.need(channels::kWheelOdometry);
+  bus.need(channels::kRobotPose);
+  bus.need(channels::kSonarScan);
+  bus.need(channels::kStopState);
   bus.every(kWatch, [this] { watch_for_odometry(); });
   bus.set_state("stale", "no WHEEL_ODOMETRY yet");
 }

@@ -75,6 +75,7 @@ void RfidLocalizerNode::start(bus::Bus& bus) {
     localizer_->observe(encoder_reading(message));
     publish(message.utime, message.session, message.seq);
   });
+  bus.need(channels::kRfidTagHits);  // it works without encoders, as the paper does
 }
 
 void RfidLocalizerNode::publish(std::int64_t utime, std::int64_t odometry_session, std::int64_t odometry_seq) {

@@ -64,6 +64,10 @@ void TaskManagerNode::start(bus::Bus& bus) {
   bus.on_each(channels::kJointState, [this](const JointState& joints) { on_joints(joints); });
   bus.on_each(channels::kTargetPose, [this](const TargetPose& pose) { on_pose(pose); });
   bus.on_each(channels::kServoStatus, [this](const ServoStatus& status) { on_status(status); });
+  bus.need(channels::kServoStatus);
+  bus.need(channels::kTargetPose);
+  bus.need(channels::kJointState);
+  bus.need(channels::kStopState);
 }
 
 void TaskManagerNode::on_command(const TaskCommand& message) {

@@ -105,6 +105,9 @@ void VisualServoNode::start(bus::Bus& bus) {
   bus.on_each(channels::kJointState, [this](const JointState& joints) { on_joints(joints); });
   bus.on_each(channels::kServoGoal, [this](const ServoGoal& goal) { on_goal(goal); });
   bus.on_latest(channels::kTargetPose, [this](const TargetPose& pose) { on_pose(pose); });
+  bus.need(channels::kTargetPose);
+  bus.need(channels::kJointState);
+  bus.need(channels::kStopState);
 }
 
 void VisualServoNode::on_stop(const StopState& stop) {

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <lcm/lcm-cpp.hpp>
 #include <markservo/JointState.hpp>
 #include <markservo/ServoGoal.hpp>
 #include <markservo/StereoFrame.hpp>
@@ -42,17 +43,30 @@ struct Options {
   double x = 0.125;      // m
 };
 
+// What the publishers write to.
+class Outlet final : public markservo::bus::MessageSink {
+ public:
+  explicit Outlet(lcm::LCM* lcm) : lcm_(lcm) {}
+  bool send(const std::string& channel, const void* data, std::size_t size) override {
+    return lcm_->publish(channel, data, static_cast<unsigned int>(size)) >= 0;
+  }
+
+ private:
+  lcm::LCM* lcm_;
+};
+
 class SampleBus {
  public:
   SampleBus(lcm::LCM* lcm, const Options& options)
       : lcm_(lcm),
+        outlet_(lcm),
         options_(options),
-        goals_(lcm, channels::kServoGoal.name, 101),
-        poses_(lcm, channels::kTargetPose.name, 102),
-        wheels_(lcm, channels::kWheelOdometry.name, 103),
-        other_wheels_(lcm, channels::kWheelOdometry.name, 104),
-        commands_(lcm, channels::kTaskCommand.name, 105),
-        frames_(lcm, channels::kStereoFrame.name, 106) {}
+        goals_(&outlet_, channels::kServoGoal.name, 101),
+        poses_(&outlet_, channels::kTargetPose.name, 102),
+        wheels_(&outlet_, channels::kWheelOdometry.name, 103),
+        other_wheels_(&outlet_, channels::kWheelOdometry.name, 104),
+        commands_(&outlet_, channels::kTaskCommand.name, 105),
+        frames_(&outlet_, channels::kStereoFrame.name, 106) {}
 
   // All channels once, `round` counting from 0.
   void publish(int round, int64_t utime) {
@@ -130,6 +144,7 @@ class SampleBus {
   }
 
   lcm::LCM* lcm_;
+  Outlet outlet_;
   Options options_;
   Publisher<markservo::ServoGoal> goals_;
   Publisher<markservo::TargetPose> poses_;

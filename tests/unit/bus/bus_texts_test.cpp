@@ -24,7 +24,7 @@ void deliver(Bus& bus, const std::string& channel, const M& message) {
 TEST_F(BusTexts, HarmfulTextIsRefusedAndCounted) {
   Bus bus(parameters());
   int handled = 0;
-  bus.on_each<TaskState>("TASK_STATE", [&](const TaskState&) { ++handled; });
+  bus.on_each(channels::kTaskState, [&](const TaskState&) { ++handled; });
   TaskState state{};
   state.session = 7;
   state.seq = 1;
@@ -39,8 +39,8 @@ TEST_F(BusTexts, HarmfulTextIsRefusedAndCounted) {
 TEST_F(BusTexts, ComposedTextIsMadeFitAndSent) {
   Bus bus(parameters());
   std::vector<std::string> reasons;
-  bus.on_each<TaskState>("TASK_STATE", [&](const TaskState& state) { reasons.push_back(state.reason); });
-  auto publisher = bus.advertise<TaskState>("TASK_STATE");
+  bus.on_each(channels::kTaskState, [&](const TaskState& state) { reasons.push_back(state.reason); });
+  auto publisher = bus.advertise(channels::kTaskState);
   TaskState state{};
   state.reason = "a long story\n" + std::string(1 << 20, 'x');
   publisher.publish(state);
@@ -53,7 +53,7 @@ TEST_F(BusTexts, ComposedTextIsMadeFitAndSent) {
 TEST_F(BusTexts, StopIsObeyedWhateverItSays) {
   Bus bus(parameters());
   std::vector<StopRequest> heard;
-  bus.on_each_from_many<StopRequest>("STOP", [&](const StopRequest& request) { heard.push_back(request); });
+  bus.on_each(channels::kStop, [&](const StopRequest& request) { heard.push_back(request); });
   StopRequest stop{};
   stop.session = 7;
   stop.reason = std::string(8 << 20, '\x1b');
@@ -72,7 +72,7 @@ TEST_F(BusTexts, StopIsObeyedWhateverItSays) {
 TEST_F(BusTexts, AbortIsObeyedWhateverItSays) {
   Bus bus(parameters());
   int heard = 0;
-  bus.on_each_from_many<TaskCommand>("TASK_COMMAND", [&](const TaskCommand&) { ++heard; });
+  bus.on_each(channels::kTaskCommand, [&](const TaskCommand&) { ++heard; });
   TaskCommand abort{};
   abort.session = 7;
   abort.kind = TaskCommand::ABORT;
