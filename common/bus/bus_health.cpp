@@ -1,5 +1,6 @@
 // What a Bus does about its network and what it says of its service.
 
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
 #include <chrono>
@@ -131,9 +132,9 @@ void Bus::log_trouble(const std::optional<Word>& network, const std::optional<Wo
   const std::optional<Word>& trouble = network ? network : inputs;
   if (!trouble) {
     if (trouble_is_logged_) {
-      const RefusedSends refused = out_->refused_sends(now);
-      spdlog::info("goes on after {:.1f} s; {} messages in all were refused by the network",
-                   seconds_since(*trouble_since_, now), refused.total);
+      const int64_t refused = out_->refused_sends(now).total;
+      spdlog::info("goes on after {:.1f} s{}", seconds_since(*trouble_since_, now),
+                   refused == 0 ? "" : fmt::format("; since its start the network refused {} messages", refused));
     }
     trouble_since_.reset();
     trouble_is_logged_ = false;
@@ -141,7 +142,9 @@ void Bus::log_trouble(const std::optional<Word>& network, const std::optional<Wo
   }
   if (!trouble_since_) trouble_since_ = now;
   if (trouble_is_logged_ || (!network && now - *trouble_since_ < kLogAfter)) return;
-  spdlog::warn("{}: {}", trouble->state, trouble->reason);
+  // Whoever is started before the others waits for them: that is as it should be.
+  const auto level = !network && trouble->state == kWaiting ? spdlog::level::info : spdlog::level::warn;
+  spdlog::log(level, "{}: {}", trouble->state, trouble->reason);
   trouble_is_logged_ = true;
 }
 

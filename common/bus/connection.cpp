@@ -8,6 +8,7 @@
 
 #include "common/bus/bus_unavailable.hpp"
 #include "common/bus/bus_url.hpp"
+#include "common/bus/network_check.hpp"
 
 namespace markservo::bus {
 namespace {
@@ -71,6 +72,7 @@ bool Connection::try_to_open() {
   lost_ = false;
   deaf_ = false;
   trouble_.clear();
+  refused_.lately = 0;
   return true;
 }
 
@@ -100,7 +102,7 @@ bool Connection::publish(const std::string& channel, const void* data, std::size
   ++refused_.total;
   refused_.channel = channel;
   refused_.reason = error == 0 ? "refused" : std::strerror(error);
-  if (tells_of_loss(error)) lose(refused_.reason, now);
+  if (tells_of_loss(error)) lose(refused_.reason + "; " + multicast_route_advice(), now);
   return false;
 }
 

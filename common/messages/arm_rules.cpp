@@ -63,6 +63,7 @@ void MessageRules<ServoStatus>::clean_texts(ServoStatus& status) {
 }
 
 std::string MessageRules<JointCommand>::violation(const JointCommand& command) {
+  if (auto why = count_violation("joint_session", command.joint_session); !why.empty()) return why;
   if (auto why = joints_violation(command.num_joints, {&command.position, &command.speed_limit}); !why.empty()) {
     return why;
   }

@@ -112,10 +112,18 @@ JointState valid_message<JointState>() {
 template <>
 TaskCommand valid_message<TaskCommand>() {
   auto command = numbered<TaskCommand>();
+  command.session = 1;
   command.target = "red";
   command.drive = 1;
   command.drive_pose = {0.2, 1.05, 1.5};
   return command;
+}
+
+template <>
+StopRequest valid_message<StopRequest>() {
+  auto request = numbered<StopRequest>();
+  request.session = 1;
+  return request;
 }
 
 template <>
