@@ -19,26 +19,6 @@ constexpr double kLongestWait_s = 0.1;  // since the newest pose, up to which th
 constexpr std::chrono::milliseconds kWatch(100);
 constexpr std::chrono::milliseconds kSilence(300);
 
-const char* name_of(DriveState state) {
-  switch (state) {
-    case DriveState::kHold:
-      return "hold";
-    case DriveState::kDriving:
-      return "driving";
-    case DriveState::kArrived:
-      return "arrived";
-    case DriveState::kBlocked:
-      return "blocked";
-    case DriveState::kLost:
-      return "lost";
-    case DriveState::kStale:
-      return "stale";
-    case DriveState::kStopped:
-      return "stopped";
-  }
-  return "unknown";
-}
-
 // Counted as refused on its channel, and logged.
 void refuse(const std::string& problem) {
   if (!problem.empty()) throw std::invalid_argument(problem);

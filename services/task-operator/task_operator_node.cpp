@@ -4,20 +4,14 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <stdexcept>
 
+#include "common/messages/state_codes.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
 #include "common/text/text.hpp"
 
 namespace markservo::task_operator {
 namespace {
-
-static_assert(static_cast<int>(Phase::kLook) == TaskState::LOOK && static_cast<int>(Phase::kGoHome) == 10 &&
-                  static_cast<int>(Phase::kStopped) == TaskState::STOPPED,
-              "phases as TaskState.lcm numbers them");
-
-static_assert(static_cast<int>(Phase::kDrive) == TaskState::DRIVE, "phases as TaskState.lcm numbers them");
 
 constexpr std::int64_t kRequest = 1;  // the only one of this program's session
 
@@ -107,9 +101,6 @@ void TaskOperatorNode::on_stop_state(const StopState& state) {
 }
 
 void TaskOperatorNode::on_task_state(const TaskState& state) {
-  if (state.state < TaskState::IDLE || state.state > TaskState::DRIVE) {
-    throw std::invalid_argument("state is " + std::to_string(state.state) + "; allowed: 0 to 16");
-  }
   TaskReport report;
   report.time = 1e-6 * static_cast<double>(state.utime);
   if (state.command_session == bus_->session() && state.command_id == kRequest) {
@@ -117,7 +108,7 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
   } else if (state.command_session != 0) {
     report.answers = Answers::kAnother;
   }
-  report.phase = static_cast<Phase>(state.state);
+  report.phase = messages::state_of<Phase>(state.state);
   report.attempt = state.attempt;
   report.target = state.target;
   report.reason = state.reason;

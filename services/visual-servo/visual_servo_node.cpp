@@ -12,28 +12,6 @@
 namespace markservo::visual_servo {
 namespace {
 
-const char* name_of(ServoState state) {
-  switch (state) {
-    case ServoState::kHold:
-      return "hold";
-    case ServoState::kPosture:
-      return "posture";
-    case ServoState::kServo:
-      return "servo";
-    case ServoState::kConverged:
-      return "converged";
-    case ServoState::kLost:
-      return "lost";
-    case ServoState::kUnreachable:
-      return "unreachable";
-    case ServoState::kStale:
-      return "stale";
-    case ServoState::kStopped:
-      return "stopped";
-  }
-  return "unknown";
-}
-
 motion::Stamp stamp_of(const TargetPose& pose) {
   return {pose.session, pose.seq, pose.utime};
 }
@@ -48,7 +26,6 @@ void drop(const std::string& why) {
 }
 
 }  // namespace
-
 void VisualServoNode::add_options(CLI::App& app) {
   SightParameters& sight = parameters_.sight;
   const bus::NumberOptions number(app);
