@@ -20,26 +20,6 @@ constexpr double kLongestWait_s = 0.1;  // since the newest pose, up to which th
 constexpr std::chrono::milliseconds kWatch(100);
 constexpr std::chrono::milliseconds kSilence(300);
 
-const char* name_of(DriveState state) {
-  switch (state) {
-    case DriveState::kHold:
-      return "hold";
-    case DriveState::kDriving:
-      return "driving";
-    case DriveState::kArrived:
-      return "arrived";
-    case DriveState::kBlocked:
-      return "blocked";
-    case DriveState::kLost:
-      return "lost";
-    case DriveState::kStale:
-      return "stale";
-    case DriveState::kStopped:
-      return "stopped";
-  }
-  return "unknown";
-}
-
 }  // namespace
 
 void BaseNavigatorNode::add_options(CLI::App& app) {
@@ -112,6 +92,10 @@ void BaseNavigatorNode::start(bus::Bus& bus) {
   bus.on_each(channels::kSonarScan, [this](const SonarScan& scan) { on_scan(scan); });
   bus.on_each(channels::kWheelOdometry, [this](const WheelOdometry& odometry) { on_odometry(odometry); });
   bus.on_each(channels::kRobotPose, [this](const RobotPose& pose) { on_pose(pose); });
+  bus.need(channels::kWheelOdometry);
+  bus.need(channels::kRobotPose);
+  bus.need(channels::kSonarScan);
+  bus.need(channels::kStopState);
   bus.every(kWatch, [this] { watch_for_odometry(); });
   bus.set_state("stale", "no WHEEL_ODOMETRY yet");
 }

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "common/geometry/plane_pose.hpp"
+#include "common/states/base_state.hpp"
+#include "common/states/localisation_state.hpp"
 #include "common/time/seconds_between.hpp"
 
 namespace markservo::base_navigator {
@@ -19,7 +21,7 @@ struct OdometrySample {
   double right = 0.0;
 };
 
-enum class Localisation { kSearching, kLocalised, kLost };
+using Localisation = LocalisationState;
 
 // One ROBOT_POSE.
 struct PoseSample {
@@ -61,7 +63,7 @@ struct Goal {
   double speed = 0.0;        // m/s; 0: the parameters' own
 };
 
-enum class DriveState { kHold, kDriving, kArrived, kBlocked, kLost, kStale, kStopped };
+using DriveState = BaseState;
 
 // One BASE_COMMAND.
 struct Command {

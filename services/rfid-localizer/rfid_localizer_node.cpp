@@ -9,20 +9,13 @@
 #include "common/bus/number_options.hpp"
 #include "common/geometry/plane_pose.hpp"
 #include "common/messages/motion_messages.hpp"
+#include "common/messages/state_codes.hpp"
 #include "common/motion/mover_watch.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/states/localisation_state.hpp"
 #include "services/rfid-localizer/localizer_messages.hpp"
 
 namespace markservo::rfid_localizer {
-namespace {
-
-const char* name_of(std::int8_t state) {
-  if (state == RobotPose::LOCALISED) return "localised";
-  return state == RobotPose::LOST ? "lost" : "searching";
-}
-
-}  // namespace
-
 void RfidLocalizerNode::add_options(CLI::App& app) {
   const bus::NumberOptions number(app);
   app.add_option("--method", method_,
@@ -95,6 +88,7 @@ void RfidLocalizerNode::start(bus::Bus& bus) {
     localizer_->observe(encoder_reading(message));
     publish(message.utime, message.session, message.seq);
   });
+  bus.need(channels::kRfidTagHits);  // it works without encoders, as the paper does
 }
 
 void RfidLocalizerNode::publish(std::int64_t utime, std::int64_t odometry_session, std::int64_t odometry_seq) {
@@ -106,7 +100,8 @@ void RfidLocalizerNode::publish(std::int64_t utime, std::int64_t odometry_sessio
 }
 
 void RfidLocalizerNode::tell(const RobotPose& pose) {
-  const bool changed = told_ != name_of(pose.state);
+  const char* state = name_of(messages::state_of<LocalisationState>(pose.state));
+  const bool changed = told_ != state;
   // Counts that grow with every round would be a stream of their own.
   if (!changed && !tell_timer_.due(pose.utime)) return;
   const LocalizerFaults faults = localizer_->faults();
@@ -121,9 +116,9 @@ void RfidLocalizerNode::tell(const RobotPose& pose) {
   add(faults.wrong_windows, "rounds with an impossible window");
   add(faults.late_odometry, "odometry out of order");
   add(faults.tick_jumps, "jumps of the encoders");
-  bus_->set_state(name_of(pose.state), what);
+  bus_->set_state(state, what);
   if (!changed) return;
-  told_ = name_of(pose.state);
+  told_ = state;
   spdlog::info("{}{}{}", told_, pose.reason.empty() ? "" : ": ", pose.reason);
 }
 

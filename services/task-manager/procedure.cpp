@@ -339,7 +339,7 @@ MarkReport ProcedureStep::sight_of(const std::string& name) const {
   for (const MarkReport& mark : in_.marks) {
     if (mark.name == name) return mark;
   }
-  return {name, Sight::kUntold, Eigen::Vector3d::Zero()};
+  return {name, std::nullopt, Eigen::Vector3d::Zero()};
 }
 
 }  // namespace markservo::task_manager

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "common/bus/message_traits.hpp"
+#include "common/messages/message_traits.hpp"
 #include "common/messages/motion_messages.hpp"
+#include "common/messages/state_codes.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/task-manager/options.hpp"
 
@@ -16,26 +17,10 @@ namespace {
 using messages::drop;
 using messages::stamp_of;
 
-static_assert(static_cast<int>(Phase::kLook) == 1 && static_cast<int>(Phase::kStopped) == TaskState::STOPPED &&
-                  static_cast<int>(Phase::kDrive) == TaskState::DRIVE,
-              "phases as TaskState.lcm numbers them");
-static_assert(static_cast<int>(BaseState::kStopped) == BaseStatus::STOPPED, "as BaseStatus.lcm numbers them");
-static_assert(static_cast<int>(ServoState::kStopped) == 7, "as ServoStatus.lcm numbers them");
-static_assert(static_cast<int>(Sight::kInconsistent) == 5, "as LocatedMark.lcm numbers them");
-
 constexpr std::int64_t kSilence_us = 1'000'000;  // of a stop device: five repeats of STOP_STATE are missing
 
 Eigen::Vector3d vector(const Vector3& v) {
   return {v.x, v.y, v.z};
-}
-
-template <class Enum>
-Enum checked(int value, Enum last, const char* what) {
-  if (value < 0 || value > static_cast<int>(last)) {
-    throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) + "; allowed: 0 to " +
-                                std::to_string(static_cast<int>(last)));
-  }
-  return static_cast<Enum>(value);
 }
 
 }  // namespace
@@ -70,6 +55,10 @@ void TaskManagerNode::start(bus::Bus& bus) {
   bus.on_each(channels::kJointState, [this](const JointState& joints) { on_joints(joints); });
   bus.on_each(channels::kTargetPose, [this](const TargetPose& pose) { on_pose(pose); });
   bus.on_each(channels::kServoStatus, [this](const ServoStatus& status) { on_status(status); });
+  bus.need(channels::kServoStatus);
+  bus.need(channels::kTargetPose);
+  bus.need(channels::kJointState);
+  bus.need(channels::kStopState);
 }
 
 void TaskManagerNode::on_command(const TaskCommand& message) {
@@ -100,7 +89,7 @@ void TaskManagerNode::on_pose(const TargetPose& pose) {
   drop(motion::why_dropped(heard));
   std::vector<MarkReport> marks;
   for (const LocatedMark& mark : pose.marks) {
-    marks.push_back({mark.name, checked(mark.status, Sight::kInconsistent, "a mark's status"), vector(mark.p_C)});
+    marks.push_back({mark.name, messages::state_of<MarkStatus>(mark.status), vector(mark.p_C)});
   }
   input_.pose_utime = pose.utime;
   input_.marks = std::move(marks);
@@ -183,7 +172,7 @@ void TaskManagerNode::on_base(const BaseStatus& status) {
   BaseReport report;
   report.utime = status.utime;
   report.goal_id = status.goal_session == base_goals_->session() ? status.goal_id : 0;
-  report.state = checked(status.state, BaseState::kStopped, "BASE_STATUS.state");
+  report.state = messages::state_of<BaseState>(status.state);
   report.reason = status.reason;
   base_reports_.add(report);
 }
@@ -196,7 +185,7 @@ ServoReport TaskManagerNode::servo_report(const ServoStatus& status) {
   if (heard == motion::Heard::kLate) drop(why);
   ServoReport report;
   report.goal_id = status.goal_session == goals_->session() ? status.goal_id : 0;
-  report.state = checked(status.state, ServoState::kStopped, "SERVO_STATUS.state");
+  report.state = messages::state_of<ServoState>(status.state);
   report.settled = status.settled != 0;
   report.reason = status.reason;
   if (why.empty()) return report;
@@ -220,12 +209,12 @@ void TaskManagerNode::on_status(const ServoStatus& status) {
   if (output.goal) send(*output.goal, status);
   if (output.drive_goal) send(*output.drive_goal, status);
   TaskState message;
-  bus::answer_frame(message, status);
+  messages::answer_frame(message, status);
   message.command_session = output.command_session;
   message.command_id = output.command_id;
-  message.state = static_cast<int8_t>(output.phase);
+  message.state = messages::code_of(output.phase);
   message.attempt = output.attempt;
-  message.result = static_cast<int8_t>(output.result);
+  message.result = messages::code_of(output.result);
   message.target = output.target;
   message.reason = output.reason;
   states_->publish(message);

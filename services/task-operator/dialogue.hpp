@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "common/task/task_phase.hpp"
+#include "common/states/task_phase.hpp"
 
 namespace markservo::task_operator {
 

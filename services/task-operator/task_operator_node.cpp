@@ -4,21 +4,16 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <stdexcept>
 
 #include "common/messages/motion_messages.hpp"
+#include "common/messages/state_codes.hpp"
 #include "common/motion/mover_watch.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
+#include "common/text/text.hpp"
 
 namespace markservo::task_operator {
 namespace {
-
-static_assert(static_cast<int>(Phase::kLook) == TaskState::LOOK && static_cast<int>(Phase::kGoHome) == 10 &&
-                  static_cast<int>(Phase::kStopped) == TaskState::STOPPED,
-              "phases as TaskState.lcm numbers them");
-
-static_assert(static_cast<int>(Phase::kDrive) == TaskState::DRIVE, "phases as TaskState.lcm numbers them");
 
 constexpr std::int64_t kRequest = 1;  // the only one of this program's session
 
@@ -126,9 +121,6 @@ void TaskOperatorNode::on_stop_state(const StopState& state) {
 }
 
 void TaskOperatorNode::on_task_state(const TaskState& state) {
-  if (state.state < TaskState::IDLE || state.state > TaskState::DRIVE) {
-    throw std::invalid_argument("state is " + std::to_string(state.state) + "; allowed: 0 to 16");
-  }
   const motion::Heard heard = task_.hear(messages::stamp_of(state), 0);
   if (heard == motion::Heard::kSecond) dialogue_->hear_two(task_.words());
   messages::drop(motion::why_dropped(heard));
@@ -140,7 +132,7 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
   } else if (state.command_session != 0) {
     report.answers = Answers::kAnother;
   }
-  report.phase = static_cast<Phase>(state.state);
+  report.phase = messages::state_of<Phase>(state.state);
   report.attempt = state.attempt;
   report.target = state.target;
   report.reason = state.reason;
@@ -183,10 +175,11 @@ void TaskOperatorNode::run(bus::Bus& bus) {
   do {
     const Step step = dialogue_->step(steady_seconds());
     if (step.send) send();
-    for (const std::string& line : step.lines) std::cout << line << std::endl;
+    for (const std::string& line : step.lines) std::cout << text::printable(line) << std::endl;
     if (!step.ending) continue;
     exit_code_ = step.ending->exit_code;
-    (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ") << step.ending->line << std::endl;
+    (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ")
+        << text::printable(step.ending->line) << std::endl;
     return;
   } while (bus.poll(std::chrono::milliseconds(50)));
   exit_code_ = kExitInterrupted;

@@ -23,6 +23,8 @@ class TaskOperatorNode : public bus::Service {
  public:
   void add_options(CLI::App& app) override;
   void configure(const std::string& robot_file) override;
+  // A person waits for it.
+  bool waits_for_network() const override { return false; }
   void start(bus::Bus& bus) override;
   void run(bus::Bus& bus) override;
 

@@ -16,34 +16,11 @@ namespace {
 using messages::drop;
 using messages::stamp_of;
 
-const char* name_of(ServoState state) {
-  switch (state) {
-    case ServoState::kHold:
-      return "hold";
-    case ServoState::kPosture:
-      return "posture";
-    case ServoState::kServo:
-      return "servo";
-    case ServoState::kConverged:
-      return "converged";
-    case ServoState::kLost:
-      return "lost";
-    case ServoState::kUnreachable:
-      return "unreachable";
-    case ServoState::kStale:
-      return "stale";
-    case ServoState::kStopped:
-      return "stopped";
-  }
-  return "unknown";
-}
-
 motion::Stamp frame_of(const TargetPose& pose) {
   return {pose.frame_session, pose.frame_seq, pose.frame_utime};
 }
 
 }  // namespace
-
 void VisualServoNode::add_options(CLI::App& app) {
   SightParameters& sight = parameters_.sight;
   const bus::NumberOptions number(app);
@@ -100,6 +77,9 @@ void VisualServoNode::start(bus::Bus& bus) {
   bus.on_each(channels::kJointState, [this](const JointState& joints) { on_joints(joints); });
   bus.on_each(channels::kServoGoal, [this](const ServoGoal& goal) { on_goal(goal); });
   bus.on_latest(channels::kTargetPose, [this](const TargetPose& pose) { on_pose(pose); });
+  bus.need(channels::kTargetPose);
+  bus.need(channels::kJointState);
+  bus.need(channels::kStopState);
 }
 
 void VisualServoNode::on_stop(const StopState& stop) {

@@ -25,6 +25,9 @@ enum class TaskPhase {
   kDrive,
 };
 
+// What became of the last task, as TaskState.lcm numbers it.
+enum class TaskResult { kNone, kLifted, kRefused, kFailed };
+
 // A word for a person: "look", "lift on", "lifted", ... Throws std::out_of_range if it is none of them.
 const char* name_of(TaskPhase phase);
 

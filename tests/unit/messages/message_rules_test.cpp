@@ -1,10 +1,23 @@
-#include "common/bus/message_rules.hpp"
+// The rules of what cameras, arm and tasks say to each other.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <markservo/JointCommand.hpp>
+#include <markservo/MarkDetection.hpp>
+#include <markservo/ServiceStatus.hpp>
+#include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
+#include <markservo/SimTruth.hpp>
+#include <markservo/SonarScan.hpp>
+#include <markservo/StereoFrame.hpp>
+#include <markservo/StereoMatches.hpp>
+#include <markservo/TargetPose.hpp>
+#include <markservo/TaskState.hpp>
 
-namespace markservo::bus {
+#include "tests/unit/messages/violation.hpp"
+
+namespace markservo::messages {
 namespace {
 
 StereoFrame small_frame() {
@@ -123,7 +136,7 @@ TEST(SonarScanRules, RefuseRangesThatNoSonarHas) {
   auto scan = sonar_scan();
   scan.min_range = 9000.0;
   scan.max_range = 10'000.0;
-  EXPECT_NE(violation(scan).find("10000.0"), std::string::npos) << violation(scan);
+  EXPECT_NE(violation(scan).find("is 10000;"), std::string::npos) << violation(scan);
   EXPECT_NE(violation(scan).find("up to 100 m"), std::string::npos) << violation(scan);
 }
 
@@ -133,5 +146,72 @@ TEST(SonarScanRules, RefuseABeamWiderThanAWholeTurn) {
   EXPECT_NE(violation(scan).find("beam_width"), std::string::npos) << violation(scan);
 }
 
+TEST(ServoGoalRules, NameTheValueThatIsRefused) {
+  ServoGoal goal{};
+  goal.tolerance = 0.004;
+  EXPECT_EQ(violation(goal), "");
+  goal.speed = -0.25;
+  EXPECT_EQ(violation(goal), "speed is -0.25; allowed: 0 m/s or more");
+  goal.speed = 0.0;
+  goal.tolerance = -1.0;
+  EXPECT_EQ(violation(goal), "tolerance is -1; allowed: 0 m or more");
+}
+
+TEST(MarkDetectionRules, NameTheSizeThatIsRefused) {
+  MarkDetection detection{};
+  detection.width = 640;
+  detection.height = 480;
+  detection.calibration.fx = detection.calibration.fy = 784.0;
+  detection.calibration.baseline = 0.065;
+  detection.marks.resize(1);
+  detection.marks[0].left.seen = 1;
+  detection.marks[0].left.width = 12;
+  detection.marks[0].left.height = -3;
+  EXPECT_NE(violation(detection).find("view.height is -3;"), std::string::npos) << violation(detection);
+}
+
+TEST(StateRules, RefuseStatesThatAreNotNumbered) {
+  TaskState task{};
+  for (const int8_t state : {TaskState::IDLE, TaskState::DRIVE}) {
+    task.state = static_cast<int8_t>(state);
+    EXPECT_EQ(violation(task), "");
+  }
+  for (const int state : {-1, TaskState::DRIVE + 1}) {
+    task.state = static_cast<int8_t>(state);
+    EXPECT_NE(violation(task).find("state"), std::string::npos);
+  }
+  task.state = 0;
+  task.result = TaskState::RESULT_FAILED + 1;
+  EXPECT_NE(violation(task).find("result"), std::string::npos);
+  ServoStatus servo{};
+  servo.state = ServoStatus::STOPPED + 1;
+  EXPECT_NE(violation(servo).find("state"), std::string::npos);
+  TargetPose pose{};
+  pose.marks.resize(1);
+  pose.marks[0].status = LocatedMark::INCONSISTENT + 1;
+  EXPECT_NE(violation(pose).find("status"), std::string::npos);
+  pose.marks[0].status = 0;
+  pose.marks[0].role = 2;
+  EXPECT_NE(violation(pose).find("role"), std::string::npos);
+}
+
+TEST(TruthAndDisplayRules, RefuseWhatIsNotANumber) {
+  SimTruth truth{};
+  EXPECT_EQ(violation(truth), "");
+  truth.p_CG.y = NAN;
+  EXPECT_NE(violation(truth).find("p_CG"), std::string::npos);
+  StereoMatches matches{};
+  matches.marks.resize(1);
+  matches.marks[0].residual = {0.1, INFINITY};
+  EXPECT_NE(violation(matches).find("match"), std::string::npos);
+  ServiceStatus status{};
+  status.channels.resize(1);
+  status.channels[0].latency_p99 = NAN;
+  EXPECT_NE(violation(status).find("latency"), std::string::npos);
+  status.channels[0].latency_p99 = 0.0;
+  status.channels[0].lost = -1;
+  EXPECT_NE(violation(status).find("is -1;"), std::string::npos);
+}
+
 }  // namespace
-}  // namespace markservo::bus
+}  // namespace markservo::messages

@@ -4,11 +4,18 @@
 
 #include <cmath>
 #include <limits>
+#include <markservo/BaseCommand.hpp>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
+#include <markservo/RfidTagHits.hpp>
+#include <markservo/RobotPose.hpp>
+#include <markservo/SonarScan.hpp>
+#include <markservo/WheelOdometry.hpp>
 #include <string>
 
-#include "common/bus/message_rules.hpp"
+#include "tests/unit/messages/violation.hpp"
 
-namespace markservo::bus {
+namespace markservo::messages {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -175,4 +182,4 @@ TEST(BaseStatusRules, RefuseUnknownStatesAndErrorsThatAreNoNumbers) {
 }
 
 }  // namespace
-}  // namespace markservo::bus
+}  // namespace markservo::messages

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace markservo::bus {
+namespace markservo::messages {
 
 template <class M, class = void>
 struct has_utime : std::false_type {};
@@ -32,4 +32,4 @@ void answer_frame(Answer& answer, const From& from) {
   answer.frame_utime = from.frame_utime;
 }
 
-}  // namespace markservo::bus
+}  // namespace markservo::messages

@@ -1,4 +1,4 @@
-#include "common/task/task_phase.hpp"
+#include "common/states/task_phase.hpp"
 
 #include <array>
 #include <cstddef>
