@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154 # variables of the sourcing script
 # Whether services may be started on a bus: a second simulator would move the arm that another holds. To be sourced after
-# project.sh.
+# project.sh and, for require_room, launch.sh.
 
 # who_is_in_the_way CENSUS URL OPTION...: one line for each who writes already what one of the services alone may write;
 # nothing where there is room, or where nobody can listen (the services say why). OPTION as of bus-census: --room-for
@@ -14,23 +14,27 @@ who_is_in_the_way() {
   esac
 }
 
-# require_room SERVICE...: ends when somebody outside of this stack writes already what these services would write. What
-# the stack itself has started, and a restart replaces, is no obstacle, nor is a bus-bridge. Works on scripts/stack's
-# variables; note_bus or this call's options say which bus.
+# require_room SERVICE...: ends, with the plan forgotten, when somebody outside of this stack writes already what these
+# services, as planned, would write. What the stack itself has started, and a restart replaces, is no obstacle, nor is a
+# bus-bridge.
 require_room() {
-  local url=${lcm_url:-$default_lcm_url} tool=$build_dir/bin/bus-census prefix=$robot lines own options
-  if is_running; then
-    url=$bus_url tool=$census
-    if [[ -z $prefix ]]; then prefix=$(robot_of_stack); fi
-  fi
-  [[ $url == udpm://* && -x $tool ]] || return 0
+  local service where own lines tool url robot
+  local -A options=() services_there=()
+  for service; do
+    options=()
+    load_options "$runtime_dir/options.new/$service" options
+    where=${options[build_dir]}/bin/bus-census$'\n'${options[lcm_url]:-$default_lcm_url}$'\n'${options[robot]}
+    services_there[$where]+=${services_there[$where]:+,}$service
+  done
   own=$(processes | paste -sd ,) || true
-  options=(--robot "$prefix" --room-for "$(IFS=,; printf '%s' "$*")")
-  if [[ -n $own ]]; then options+=(--own "$own"); fi
-  lines=$(who_is_in_the_way "$tool" "$url" "${options[@]}")
-  [[ -z $lines ]] || fail "on $url ${lines//$'\n'/; }: nothing was started (its own scripts/stack stop ends another \
-stack; --robot NAME keeps two robots apart)"
+  for where in "${!services_there[@]}"; do
+    { read -r tool && read -r url && read -r robot; } <<<"$where" || true
+    [[ $url == udpm://* && -x $tool ]] || continue
+    lines=$(who_is_in_the_way "$tool" "$url" --robot "$robot" --room-for "${services_there[$where]}" ${own:+--own "$own"})
+    if [[ -n $lines ]]; then
+      forget_plan
+      fail "on $url ${lines//$'\n'/; }: nothing was started (its own scripts/stack stop ends another stack; --robot NAME" \
+        "keeps two robots apart)"
+    fi
+  done
 }
-
-# robot_of_stack: the --robot that the stack's services were started with; nothing for none.
-robot_of_stack() { { grep -ohE "'--robot' '[^']*'" "$runtime_dir"/launch/* 2>/dev/null || true; } | sed -n "1s/.* '\(.*\)'/\1/p"; }

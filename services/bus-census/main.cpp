@@ -7,16 +7,19 @@
 #include "common/bus/network_check.hpp"
 #include "common/bus/service.hpp"
 #include "common/bus/tool.hpp"
+#include "common/census/census_text.hpp"
 #include "common/reflection/value_text.hpp"
 #include "common/time/clocks.hpp"
 #include "services/bus-census/bus_census_node.hpp"
-#include "services/bus-census/census_text.hpp"
 #include "services/bus-census/clock_reader.hpp"
 #include "services/bus-census/room.hpp"
 
 namespace {
 
-namespace census = markservo::bus_census;
+namespace census = markservo::census;
+using markservo::bus_census::BusCensusNode;
+using markservo::bus_census::needs_room;
+using markservo::bus_census::RoomWish;
 using Json = nlohmann::ordered_json;
 
 struct Options {
@@ -24,7 +27,7 @@ struct Options {
   double seconds = 1.5;  // every service speaks once a second
   bool json = false;
   bool follow = false;
-  census::RoomWish room;
+  RoomWish room;
   std::vector<int> own;
 };
 
@@ -42,7 +45,7 @@ Json receive_buffer() {
 
 // Says what stands against it; exits 0 where nothing does.
 int tell_room(const Options& options, const census::Report& report) {
-  census::RoomWish wish = options.room;
+  RoomWish wish = options.room;
   wish.host = markservo::bus::host_name();
   wish.own.insert(options.own.begin(), options.own.end());
   const std::vector<std::string> lines = obstacles(report, wish);
@@ -51,10 +54,10 @@ int tell_room(const Options& options, const census::Report& report) {
 }
 
 int run(const Options& options) {
-  if (!options.room.services.empty() && !census::needs_room(options.room.services)) return markservo::bus::kExitStopped;
-  census::BusCensusNode node(options.url, options.follow);
+  if (!options.room.services.empty() && !needs_room(options.room.services)) return markservo::bus::kExitStopped;
+  BusCensusNode node(options.url, options.follow);
   if (options.follow) {
-    node.on_status = [](const census::ServiceWord& word) { print(json_of(word)); };
+    node.on_status = [](const census::ServiceWord& word) { print(census::json_of(word)); };
     print({{"listening", options.url}});
   }
   const int64_t wall_us = markservo::wall_clock_us();
@@ -64,17 +67,18 @@ int run(const Options& options) {
   if (options.follow) return markservo::bus::kExitStopped;
   if (!options.room.services.empty()) return tell_room(options, node.report());
   if (!options.json) {
-    std::cout << table_of(node.report());
+    std::cout << census::table_of(node.report());
     return markservo::bus::kExitStopped;
   }
-  Json json = {
-      {"url", options.url},
-      {"host", markservo::bus::host_name()},
-      {"version", MARKSERVO_VERSION},
-      {"raw_frames_fit", markservo::bus::raw_frames_fit(options.url)},
-      {"receive_buffer", receive_buffer()},
-      {"clock", {{"synchronised", census::clock_is_synchronised()}, {"jump_s", 1e-6 * static_cast<double>(jump_us)}}}};
-  json.update(json_of(node.report()));
+  Json json = {{"url", options.url},
+               {"host", markservo::bus::host_name()},
+               {"version", MARKSERVO_VERSION},
+               {"raw_frames_fit", markservo::bus::raw_frames_fit(options.url)},
+               {"receive_buffer", receive_buffer()},
+               {"clock",
+                {{"synchronised", markservo::bus_census::clock_is_synchronised()},
+                 {"jump_s", 1e-6 * static_cast<double>(jump_us)}}}};
+  json.update(census::json_of(node.report()));
   print(json);
   return markservo::bus::kExitStopped;
 }

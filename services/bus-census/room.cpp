@@ -9,6 +9,12 @@
 namespace markservo::bus_census {
 namespace {
 
+using census::ChannelReport;
+using census::Report;
+using census::ServiceReport;
+using census::ServiceWord;
+using census::WriterReport;
+
 // The first channel that `service` alone may write; null: it may be started beside another.
 const channels::Entry* channel_of_its_own(const std::string& service) {
   for (const channels::Entry& entry : channels::kAll) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "services/bus-census/census.hpp"
+#include "common/census/census.hpp"
 
 namespace markservo::bus_census {
 
@@ -24,6 +24,6 @@ bool needs_room(const std::vector<std::string>& services);
 // One line for each writer of channels that one of the services alone may write, as the table of channels says, with
 // those channels; and one for each of the services that somebody else runs, even if it has written nothing yet. None:
 // there is room. The lines are printable ASCII, whatever was heard.
-std::vector<std::string> obstacles(const Report& report, const RoomWish& wish);
+std::vector<std::string> obstacles(const census::Report& report, const RoomWish& wish);
 
 }  // namespace markservo::bus_census

@@ -41,9 +41,10 @@ const std::vector<Tested>& services() {
   return all;
 }
 
-// Tools that read all of a bus, and who is no service.
+// Who reads all of a bus, and who is no service.
 bool is_no_single_service(const std::string& name) {
-  return name == "all" || name == "person" || name == "bus-census" || name == "bus-top";
+  static const Names names = {"all", "person", "bus-census", "bus-top", "stack-watch"};
+  return names.count(name) > 0;
 }
 
 Names by_the_table(const std::string& service, const char* channels::Entry::*list) {

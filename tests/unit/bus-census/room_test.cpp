@@ -7,6 +7,10 @@
 namespace markservo::bus_census {
 namespace {
 
+using census::ChannelReport;
+using census::Report;
+using census::ServiceReport;
+
 constexpr int kPid = 41;
 constexpr int64_t kSession = 7;
 
