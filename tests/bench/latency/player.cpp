@@ -36,9 +36,9 @@ Player::Player(Route route, const robot::JointVector& arm_at)
     : route_(std::move(route)),
       out_(route_.url),
       session_(bus::random_session()),
-      joints_(&out_, channels::kJointState.name, session_),
+      joints_(&sink_, channels::kJointState.name, session_),
       joint_state_(resting_arm(arm_at)) {
-  if (!out_.lcm.good()) throw std::runtime_error("bus " + route_.url + ": cannot be joined");
+  if (!out_.good()) throw std::runtime_error("bus " + route_.url + ": cannot be joined");
 }
 
 void Player::receive(const lcm::ReceiveBuffer* buffer, const std::string& /*channel*/, Ear* ear) {
@@ -77,7 +77,7 @@ void Player::encode_next(std::vector<StereoFrame>& frames) {
 }
 
 void Player::send_frame() {
-  if (out_.lcm.publish(route_.frame_channel, buffer_.data(), static_cast<unsigned int>(buffer_.size())) < 0) {
+  if (out_.publish(route_.frame_channel, buffer_.data(), static_cast<unsigned int>(buffer_.size())) < 0) {
     throw std::runtime_error(route_.frame_channel + ": the bus refused the frame");
   }
 }

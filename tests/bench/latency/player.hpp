@@ -17,6 +17,7 @@
 #include "common/robot/robot_description.hpp"
 #include "tests/bench/latency/frame_ledger.hpp"
 #include "tests/bench/latency/route.hpp"
+#include "tests/bench/lcm_sink.hpp"
 
 namespace markservo::bench {
 
@@ -64,16 +65,8 @@ class Player {
   void send_joints();
 
   Route route_;
-  // Only sends: a member that does not listen costs nothing.
-  struct Sender final : bus::MessageSink {
-    explicit Sender(const std::string& url) : lcm(url) {}
-    bool send(const std::string& channel, const void* data, std::size_t size) override {
-      return lcm.publish(channel, data, static_cast<unsigned int>(size)) >= 0;
-    }
-    lcm::LCM lcm;
-  };
-
-  Sender out_;
+  lcm::LCM out_;  // only sends: a member that does not listen costs nothing
+  LcmSink sink_{&out_};
   std::int64_t session_;
   bus::Publisher<JointState> joints_;
   JointState joint_state_;
