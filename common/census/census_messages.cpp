@@ -4,6 +4,7 @@
 
 #include "common/bus/safe_decode.hpp"
 #include "common/reflection/message_value.hpp"
+#include "common/text/text.hpp"
 
 namespace markservo::census {
 namespace {
@@ -27,7 +28,7 @@ void read_writer(const reflection::MessageType& type, const void* data, std::siz
 
 Heard heard_of(const std::string& channel, const void* data, std::size_t size, std::size_t whole_size, int64_t utime) {
   Heard heard;
-  heard.channel = channel;
+  heard.channel = text::printable(channel);
   heard.bytes = static_cast<int64_t>(whole_size);
   heard.utime = utime;
   std::uint64_t fingerprint = 0;
@@ -49,21 +50,23 @@ std::optional<ServiceWord> word_in(const std::string& channel, const void* data,
   return word_of(decoded.message, channel);
 }
 
+// As it may be shown: scripts and people read it.
 ServiceWord word_of(const ServiceStatus& status, const std::string& channel) {
   ServiceWord word;
-  word.robot = robot_of(channel);
-  word.name = status.name;
-  word.host = status.host;
+  word.robot = robot_of(text::printable(channel));
+  word.name = text::printable(status.name);
+  word.host = text::printable(status.host);
   word.pid = status.pid;
   word.session = status.session;
-  word.version = status.version;
+  word.version = text::printable(status.version);
   word.config_hash = status.config_hash;
-  word.state = status.state;
-  word.reason = status.reason;
+  word.state = text::printable(status.state);
+  word.reason = text::printable(status.reason);
   word.utime = status.utime;
   for (const ChannelStatus& each : status.channels) {
-    word.channels.push_back({each.channel, each.received, each.skipped, each.lost, each.decode_failures, each.refused,
-                             each.second_writer != 0, each.age, each.latency_p50, each.latency_p99});
+    word.channels.push_back({text::printable(each.channel), each.received, each.skipped, each.lost,
+                             each.decode_failures, each.refused, each.second_writer != 0, each.age, each.latency_p50,
+                             each.latency_p99});
   }
   return word;
 }
