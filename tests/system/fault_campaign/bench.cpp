@@ -25,6 +25,11 @@ std::size_t hash_of(const std::string& channel, std::int64_t size, const std::ui
          static_cast<std::size_t>(size);
 }
 
+// As scripts/stack understands a service's word.
+bool is_ready(const std::string& state) {
+  return state != "starting" && state != "waiting" && state != "stale";
+}
+
 template <class M>
 bool decode(const KeptMessage& kept, M& message) {
   return bus::decode_into(message, kept.data.data(), kept.data.size()).empty();
@@ -157,7 +162,7 @@ std::vector<std::string> Bench::stack_command(const std::string& action, const s
 std::set<std::string> Bench::ready(double age) const {
   std::set<std::string> ready;
   for (const auto& [service, heard] : statuses_) {
-    if (seconds_between(heard.first, now()) <= age && heard.second.state == "ready") ready.insert(service);
+    if (seconds_between(heard.first, now()) <= age && is_ready(heard.second.state)) ready.insert(service);
   }
   return ready;
 }

@@ -84,7 +84,7 @@ class Bench {
   const SimBaseTruth& base_truth() const { return base_truth_; }
   const TaskState& task() const { return task_state_; }
   const std::map<std::string, StopState>& stop_states() const { return stop_states_; }
-  // Services whose newest word, no older than `age` s, is `ready`.
+  // Services whose newest word, no older than `age` s, is that they are ready.
   std::set<std::string> ready(double age = 3.0) const;
   const KeptMessage* last_heard(const std::string& channel) const;
   // The last `kKept` of the stack's messages, and all of STOP and TASK_COMMAND, whoever sent those.

@@ -19,7 +19,7 @@ const std::map<std::string, Words>& written() {
       {"visual-servo", {"JOINT_COMMAND", "SERVO_STATUS"}},
       {"rfid-localizer", {"ROBOT_POSE", "BASE_STATUS"}},
       {"base-navigator", {"BASE_COMMAND", "BASE_STATUS"}},
-      {"task-manager", {"SERVO_GOAL", "BASE_GOAL", "TASK_STATE"}},
+      {"task-manager", {"SERVO_GOAL", "BASE_GOAL", "TASK_STATE", "started: no task"}},
   };
   return all;
 }

@@ -205,7 +205,7 @@ void add_options(CLI::App& app, Options& options) {
                  "Has bin/SERVICE: the stack that is tried; default: this program's own");
   app.add_option("--commit", options.commit, "Of the stack that is tried, for the report");
   app.add_option("--judge-only", options.judge_only, "Judge a kept trial's folder again, and run nothing");
-  app.add_option("--kind", options.kind, "Faults of this kind only, alone; to try one");
+  app.add_option("--kind", options.kind, "This fault alone, its numbers drawn: kind[:channel|service|variant]...");
   app.add_option("--phase", options.phase, "With --kind: the phase (default idle)");
 }
 

@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   BenchFolders folders;
   app.add_option("--seed", seed)->required();
   app.add_option("--draw", draw);
-  app.add_option("--kind", kind, "A fault of this kind alone");
+  app.add_option("--kind", kind, "This fault alone, as second-writer:JOINT_STATE");
   app.add_option("--phase", phase, "In this phase; with --kind");
   app.add_option("--repository", folders.repository)->required();
   app.add_option("--build-dir", folders.build, "Has bin/SERVICE")->required();

@@ -48,6 +48,7 @@ struct Bars {
   double silence = 5.0;          // s, I7
   double status_slack = 2.5;     // s: SERVICE_STATUS comes once a second, a busy machine is late
   double recovery = 15.0;        // s, I8
+  double ready_age = 4.0;        // s, I8: ready within so long before the end of that
   double memory_mb = 10.0;       // I8
   double bytes_share = 0.10;     // I8, of a message's mean size, by channel
   double bytes_floor = 220.0;    // bytes a message: a reason may stand where there was none, up to 200

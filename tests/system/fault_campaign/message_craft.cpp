@@ -69,9 +69,9 @@ std::optional<Bytes> sample_for(Bench& bench, const std::string& channel) {
   if (channel == "STOP") return stop_request(bench);
   if (channel == "TASK_COMMAND") return abort_command(bench);
   if (const KeptMessage* last = bench.last_heard(channel)) {
-    if (channel != "SERVO_GOAL") return last->data;
     // A goal to hold moves nothing.
-    return get_integer(last->data, "kind").value_or(0) == ServoGoal::HOLD ? posture_goal(bench) : last->data;
+    const bool goal = channel == "SERVO_GOAL" || channel == "BASE_GOAL";
+    if (!goal || get_integer(last->data, "kind").value_or(0) != ServoGoal::HOLD) return last->data;
   }
   if (channel == "SERVO_GOAL") return posture_goal(bench);
   if (channel == "BASE_GOAL") return drive_goal(bench);

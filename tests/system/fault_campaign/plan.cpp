@@ -61,8 +61,9 @@ void second_process(Random& random, FaultPlan& fault) {
 void old_messages(Random& random, FaultPlan& fault) {
   fault.channel = random.chance(0.4) ? "all" : random.one_of(kWritten);
   fault.variant = random.one_of<std::string>({"warm", "warm", "fresh", "latched"});
-  fault.amount = between_orders(random, 10.0, 1e6);  // s old
-  fault.duration = random.between(2.0, 4.0);
+  fault.amount = between_orders(random, 60.0, 1e6);  // s old
+  // What was killed needs some seconds until it can be fooled.
+  fault.duration = random.between(2.0, 4.0) + (fault.variant == "fresh" ? 5.0 : 0.0);
 }
 
 void late_copies(Random& random, FaultPlan& fault) {
@@ -228,6 +229,27 @@ std::uint64_t seed_for(std::int64_t seed, int draw) {
   return mix.next();
 }
 
+// "a:b" into a and b; one word at least.
+Names split(const std::string& text) {
+  Names words{""};
+  for (const char character : text) {
+    if (character == ':') {
+      words.emplace_back();
+    } else {
+      words.back() += character;
+    }
+  }
+  return words;
+}
+
+// Whether channel, service, variant and session are those of the words after the kind.
+bool has_all(const FaultPlan& fault, const Names& words) {
+  return std::all_of(words.begin() + 1, words.end(), [&](const std::string& word) {
+    return word == fault.channel || word == fault.service || word == fault.variant ||
+           word == (fault.same_session ? "same" : "other");
+  });
+}
+
 }  // namespace
 
 const std::vector<std::string>& phases() {
@@ -265,20 +287,27 @@ Plan plan_of(std::int64_t seed, int draw) {
   return plan;
 }
 
-Plan plan_with(std::int64_t seed, const std::string& kind, const std::string& phase) {
+Plan plan_with(std::int64_t seed, const std::string& wanted, const std::string& phase) {
   if (std::find(phases().begin(), phases().end(), phase) == phases().end()) {
     throw std::invalid_argument("phase '" + phase + "' is none");
   }
+  const Names words = split(wanted);
   const auto found =
-      std::find_if(kinds().begin(), kinds().end(), [&](const KindOfFault& one) { return kind == one.kind; });
-  if (found == kinds().end()) throw std::invalid_argument("fault '" + kind + "' is none");
+      std::find_if(kinds().begin(), kinds().end(), [&](const KindOfFault& one) { return words[0] == one.kind; });
+  if (found == kinds().end()) throw std::invalid_argument("fault '" + words[0] + "' is none");
   Random random(seed_for(seed, 0));
   Plan plan;
   plan.seed = seed;
   plan.phase = phase;
   plan.phase_delay = random.between(0.0, 0.3);
-  plan.faults.push_back(drawn(random, *found));
-  return plan;
+  constexpr int kTries = 10000;
+  for (int tries = 0; tries < kTries; ++tries) {
+    const FaultPlan fault = drawn(random, *found);
+    if (!has_all(fault, words)) continue;
+    plan.faults.push_back(fault);
+    return plan;
+  }
+  throw std::invalid_argument("fault '" + wanted + "' is never drawn");
 }
 
 nlohmann::json json_of(const FaultPlan& fault) {

@@ -39,9 +39,10 @@ const std::vector<std::string>& phases();
 const std::vector<std::string>& fault_kinds();
 
 Plan plan_of(std::int64_t seed, int draw);
-// A fault of `kind` alone, its numbers drawn from `seed`, in `phase`; for trying a kind. Throws std::invalid_argument
-// for what there is not.
-Plan plan_with(std::int64_t seed, const std::string& kind, const std::string& phase);
+// One fault alone in `phase`, for trying it: `wanted` is its kind and, after colons, any of its channel, service,
+// variant and session (`same`, `other`), as "second-writer:JOINT_STATE:other"; its numbers are drawn from `seed`.
+// Throws std::invalid_argument for what there is not.
+Plan plan_with(std::int64_t seed, const std::string& wanted, const std::string& phase);
 
 nlohmann::json json_of(const FaultPlan& fault);
 

@@ -36,12 +36,19 @@ const Heard<TaskState>* last_state_after(const Timeline& timeline, std::int64_t 
   return last;
 }
 
+// Whether the stack's task had come to its end before `t`.
+bool ended_before(const Timeline& timeline, std::int64_t t) {
+  const int state = timeline.task_state_at(t);
+  return state == TaskState::DONE || state == TaskState::HOLD_LIFTED;
+}
+
 }  // namespace
 
 Verdict tasks_end_with_the_reason(const Timeline& timeline, const Bars& bars) {
   Verdict verdict;
   if (timeline.task_starts.empty()) return verdict;
   const std::int64_t strike = timeline.first_strike();
+  if (ended_before(timeline, strike)) return verdict;
   const Heard<TaskState>* last = last_state_after(timeline, strike);
   ++verdict.judged;
   if (last == nullptr) {

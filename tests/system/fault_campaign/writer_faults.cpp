@@ -109,12 +109,7 @@ class OldMessages : public SpeakingFault {
   }
   void strike(Bench& bench) override {
     SpeakingFault::strike(bench);
-    for (const KeptMessage& kept : bench.kept()) {
-      const bool command = kept.channel == "STOP" || kept.channel == "TASK_COMMAND";
-      const bool chosen = plan().channel == "all" ? kept.channel.rfind("SIM_", 0) != 0 : kept.channel == plan().channel;
-      // A person's few words are always among them: they are what must not count again.
-      if (chosen || command) script_.push_back(kept);
-    }
+    choose(bench);
     if (plan().variant == "fresh") {
       for (const std::string& service : Bench::services()) {
         if (const int pid = bench.pid_of(service)) ::kill(pid, SIGKILL);
@@ -129,18 +124,38 @@ class OldMessages : public SpeakingFault {
       stop.reason = "STOP before old messages are played";
       bench.send("STOP", encoded(stop));
     }
-    began_ = Bench::now();
+    began_ = plan().variant == "fresh" ? 0 : Bench::now() + 500'000;
+    stop_states_ = bench.heard_count("STOP_STATE");
     prepare_script();
   }
   void tick(Bench& bench) override {
-    const double wait = plan().variant == "warm" ? 0.0 : 1.0;
-    while (at_ < script_.size() && seconds_between(began_, Bench::now()) >= wait + due_[at_]) {
+    // Into fresh processes once the robot speaks again.
+    if (began_ == 0 && bench.heard_count("STOP_STATE") > stop_states_ + 2) began_ = Bench::now();
+    while (began_ > 0 && at_ < script_.size() && seconds_between(began_, Bench::now()) >= due_[at_]) {
       send(bench, script_[at_].channel, script_[at_].data);
       ++at_;
     }
   }
 
  private:
+  void choose(Bench& bench) {
+    bool started = false;
+    for (const KeptMessage& kept : bench.kept()) {
+      const bool command = kept.channel == "STOP" || kept.channel == "TASK_COMMAND";
+      const bool chosen = plan().channel == "all" ? kept.channel.rfind("SIM_", 0) != 0 : kept.channel == plan().channel;
+      // A person's few words are always among them: they are what must not count again.
+      if (chosen || command) script_.push_back(kept);
+      started = started || kept.channel == "TASK_COMMAND";
+    }
+    if (started) return;
+    TaskCommand start{};
+    start.kind = TaskCommand::START;
+    start.utime = bench.task().utime;
+    start.session = bus::random_session();
+    start.command_id = 1;
+    start.target = "red_book";
+    script_.push_back({Bench::now(), "TASK_COMMAND", encoded(start)});
+  }
   void prepare_script() {
     // The whole fits into the fault's time.
     constexpr std::size_t kMost = 1500;
@@ -171,7 +186,8 @@ class OldMessages : public SpeakingFault {
   std::vector<KeptMessage> script_;
   std::vector<double> due_;  // s after the strike
   std::size_t at_ = 0;
-  std::int64_t began_ = 0;
+  std::int64_t began_ = 0;  // us; 0: not yet
+  std::int64_t stop_states_ = 0;
 };
 
 // Some messages come once more, a little later: unchanged.
