@@ -62,8 +62,7 @@ Bus::Bus(BusParameters parameters) : parameters_(std::move(parameters)) {
   in_ = connect(urls.in);
   out_ = urls.out == urls.in ? in_ : connect(urls.out);
   if (parameters_.heartbeat && !is_file(urls.out)) {
-    status_publisher_ =
-        std::make_unique<Publisher<ServiceStatus>>(out_.get(), full_channel("SERVICE_STATUS"), session_);
+    status_publisher_ = std::make_unique<Publisher<ServiceStatus>>(advertise(channels::kServiceStatus));
     every(kHeartbeat, [this] { publish_status(); });
   }
   note_end_signals();
@@ -141,7 +140,7 @@ void Bus::set_state(const std::string& state, const std::string& reason) {
   try {
     publish_status();
   } catch (const std::exception& error) {
-    complain("SERVICE_STATUS", error.what());
+    complain(channels::kServiceStatus.name, error.what());
   }
 }
 

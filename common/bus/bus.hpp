@@ -2,10 +2,10 @@
 
 // The LCM bus as the services use it: typed, checked, counted. One thread; handlers run inside poll().
 //
-//   bus.on_latest<StereoFrame>("STEREO_FRAME", [&](const StereoFrame& frame) { ... });  // last wins
-//   bus.on_each<ServoGoal>("SERVO_GOAL", [&](const ServoGoal& goal) { ... });           // all, in order
-//   auto poses = bus.advertise<TargetPose>("TARGET_POSE");
-//   poses.publish(pose);                                                                // fills session and seq
+//   bus.on_latest(channels::kStereoFrame, [&](const StereoFrame& frame) { ... });  // last wins
+//   bus.on_each(channels::kServoGoal, [&](const ServoGoal& goal) { ... });         // all, in order
+//   auto poses = bus.advertise(channels::kTargetPose);
+//   poses.publish(pose);                                                           // fills session and seq
 //   bus.spin();
 //
 // Messages that wait are handed over in the order in which their channels were subscribed. A handler may publish; it
@@ -16,6 +16,7 @@
 #include <functional>
 #include <lcm/lcm-cpp.hpp>
 #include <map>
+#include <markservo/channels.hpp>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -59,18 +60,14 @@ class Bus final : private SubscriptionHost {
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
+  // Of a channel that many write by design (Second::kAllowed) no loss or second writer is counted.
   template <class M>
-  void on_latest(const std::string& channel, typename TypedSubscription<M>::Handler handler) {
-    subscribe<M>(channel, Delivery::kLatest, true, std::move(handler));
+  void on_latest(const channels::Channel<M>& channel, typename TypedSubscription<M>::Handler handler) {
+    subscribe(channel, Delivery::kLatest, std::move(handler));
   }
   template <class M>
-  void on_each(const std::string& channel, typename TypedSubscription<M>::Handler handler) {
-    subscribe<M>(channel, Delivery::kEach, true, std::move(handler));
-  }
-  // A channel that many write by design (STOP, STOP_STATE, SERVICE_STATUS): no loss or second writer is counted.
-  template <class M>
-  void on_each_from_many(const std::string& channel, typename TypedSubscription<M>::Handler handler) {
-    subscribe<M>(channel, Delivery::kEach, false, std::move(handler));
+  void on_each(const channels::Channel<M>& channel, typename TypedSubscription<M>::Handler handler) {
+    subscribe(channel, Delivery::kEach, std::move(handler));
   }
 
   // A channel of any type, as bytes that nobody looks into: only for who passes messages on. False counts the message
@@ -80,8 +77,8 @@ class Bus final : private SubscriptionHost {
   void publish_raw(const std::string& channel, const void* data, std::size_t size);
 
   template <class M>
-  Publisher<M> advertise(const std::string& channel) {
-    return Publisher<M>(out_.get(), full_channel(channel), session_);
+  Publisher<M> advertise(const channels::Channel<M>& channel) {
+    return Publisher<M>(out_.get(), full_channel(channel.name), session_);
   }
 
   // Calls `task` every `period` of this host's steady clock while the bus is live; never while a log is replayed.
@@ -125,11 +122,12 @@ class Bus final : private SubscriptionHost {
   };
 
   template <class M>
-  void subscribe(const std::string& channel, Delivery delivery, bool exclusive,
+  void subscribe(const channels::Channel<M>& channel, Delivery delivery,
                  typename TypedSubscription<M>::Handler handler) {
     SubscriptionHost* host = this;  // a private base: only here is the conversion allowed
-    attach(
-        std::make_unique<TypedSubscription<M>>(host, full_channel(channel), delivery, exclusive, std::move(handler)));
+    const bool exclusive = channel.second != channels::Second::kAllowed;
+    attach(std::make_unique<TypedSubscription<M>>(host, full_channel(channel.name), delivery, exclusive,
+                                                  std::move(handler)));
   }
   void attach(std::unique_ptr<Subscription> subscription);
   std::string full_channel(const std::string& channel) const;

@@ -107,17 +107,17 @@ void BaseNavigatorNode::configure(const std::string& robot_file) {
 
 void BaseNavigatorNode::start(bus::Bus& bus) {
   bus_ = &bus;
-  commands_.emplace(bus.advertise<BaseCommand>("BASE_COMMAND"));
-  statuses_.emplace(bus.advertise<BaseStatus>("BASE_STATUS"));
-  bus.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& stop) {
+  commands_.emplace(bus.advertise(channels::kBaseCommand));
+  statuses_.emplace(bus.advertise(channels::kBaseStatus));
+  bus.on_each(channels::kStopState, [this](const StopState& stop) {
     if (stop.device == stop_device_) navigator_->observe_stop(stop.latched != 0, stop.reason, state_);
   });
-  bus.on_each<BaseGoal>("BASE_GOAL",
-                        [this](const BaseGoal& goal) { refuse(navigator_->observe(goal_of(goal), state_)); });
-  bus.on_each<SonarScan>("SONAR_SCAN",
-                         [this](const SonarScan& scan) { refuse(navigator_->observe(scan_sample(scan), state_)); });
-  bus.on_each<WheelOdometry>("WHEEL_ODOMETRY", [this](const WheelOdometry& odometry) { handle(odometry); });
-  bus.on_each<RobotPose>("ROBOT_POSE", [this](const RobotPose& pose) { handle(pose); });
+  bus.on_each(channels::kBaseGoal,
+              [this](const BaseGoal& goal) { refuse(navigator_->observe(goal_of(goal), state_)); });
+  bus.on_each(channels::kSonarScan,
+              [this](const SonarScan& scan) { refuse(navigator_->observe(scan_sample(scan), state_)); });
+  bus.on_each(channels::kWheelOdometry, [this](const WheelOdometry& odometry) { handle(odometry); });
+  bus.on_each(channels::kRobotPose, [this](const RobotPose& pose) { handle(pose); });
   bus.every(kWatch, [this] { watch_for_odometry(); });
   bus.set_state("stale", "no WHEEL_ODOMETRY yet");
 }

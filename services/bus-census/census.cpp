@@ -1,6 +1,7 @@
 #include "services/bus-census/census.hpp"
 
 #include <algorithm>
+#include <markservo/channels.hpp>
 
 namespace markservo::bus_census {
 namespace {
@@ -34,7 +35,8 @@ std::string robot_of(const std::string& channel) {
 
 bool is_for_many(const std::string& channel) {
   const std::string name = last_part(channel);
-  return name == "STOP" || name == "STOP_STATE" || name == "SERVICE_STATUS";
+  const channels::Entry* entry = channels::find(name);
+  return entry != nullptr && entry->second == channels::Second::kAllowed;
 }
 
 void Census::hear(const Heard& message) {
@@ -93,7 +95,7 @@ Report Census::report(int64_t utime) const {
     for (const auto& [session, events] : tally.writers) {
       const auto name = names.find(session);
       line.writers.push_back({session, name == names.end() ? std::string() : name->second, events});
-      if (last_part(channel) != "SERVICE_STATUS") written[session].push_back(channel);
+      if (last_part(channel) != channels::kServiceStatus.name) written[session].push_back(channel);
     }
     report.channels.push_back(std::move(line));
   }

@@ -60,7 +60,7 @@ bool is_ready(const std::string& state);
 // The prefix of a channel without its last slash, "r1" of "r1/STOP"; empty when it has none.
 std::string robot_of(const std::string& channel);
 
-// Whether more than one may write the channel by design: STOP, STOP_STATE and SERVICE_STATUS, of any robot.
+// Whether more than one may write the channel by design, of any robot, as the table of channels says.
 bool is_for_many(const std::string& channel);
 
 struct ServiceReport {

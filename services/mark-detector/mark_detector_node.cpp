@@ -168,8 +168,8 @@ std::optional<int> MarkDetectorNode::run_alone() {
 }
 
 void MarkDetectorNode::start(bus::Bus& bus) {
-  publisher_.emplace(bus.advertise<MarkDetection>("MARK_DETECTION"));
-  bus.on_latest<StereoFrame>("STEREO_FRAME", [this](const StereoFrame& frame) { handle(frame); });
+  publisher_.emplace(bus.advertise(channels::kMarkDetection));
+  bus.on_latest(channels::kStereoFrame, [this](const StereoFrame& frame) { handle(frame); });
 }
 
 void MarkDetectorNode::handle(const StereoFrame& frame) {

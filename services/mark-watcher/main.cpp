@@ -21,7 +21,7 @@ class MarkWatcher : public markservo::bus::Service {
 
   // Subscribe and advertise. on_latest: the newest message wins; on_each: all, in order.
   void start(markservo::bus::Bus& bus) override {
-    bus.on_latest<TargetPose>("TARGET_POSE", [this](const TargetPose& pose) { print(pose); });
+    bus.on_latest(markservo::channels::kTargetPose, [this](const TargetPose& pose) { print(pose); });
   }
 
  private:

@@ -66,12 +66,12 @@ void RfidLocalizerNode::configure(const std::string& robot_file) {
 
 void RfidLocalizerNode::start(bus::Bus& bus) {
   bus_ = &bus;
-  poses_.emplace(bus.advertise<RobotPose>("ROBOT_POSE"));
-  bus.on_each<RfidTagHits>("RFID_TAG_HITS", [this](const RfidTagHits& message) {
+  poses_.emplace(bus.advertise(channels::kRobotPose));
+  bus.on_each(channels::kRfidTagHits, [this](const RfidTagHits& message) {
     localizer_->observe(tag_round(message));
     if (!localizer_->has_wheels()) publish(message.utime, 0, 0);
   });
-  bus.on_each<WheelOdometry>("WHEEL_ODOMETRY", [this](const WheelOdometry& message) {
+  bus.on_each(channels::kWheelOdometry, [this](const WheelOdometry& message) {
     localizer_->observe(encoder_reading(message));
     publish(message.utime, message.session, message.seq);
   });

@@ -10,34 +10,33 @@
 namespace markservo::simulator {
 
 const std::vector<std::string>& BaseNode::answering_channels() {
-  static const std::vector<std::string> channels = {"BASE_COMMAND", "BASE_STATUS", "ROBOT_POSE"};
-  return channels;
+  static const std::vector<std::string> names = {channels::kBaseCommand.name, channels::kBaseStatus.name,
+                                                 channels::kRobotPose.name};
+  return names;
 }
 
 BaseNode::BaseNode(bus::Bus& bus, Simulation& simulation, const std::vector<std::string>& awaited)
     : simulation_(&simulation),
       barrier_(awaited),
-      rounds_(bus.advertise<RfidTagHits>("RFID_TAG_HITS")),
-      scans_(bus.advertise<SonarScan>("SONAR_SCAN")),
-      truths_(bus.advertise<SimBaseTruth>("SIM_BASE_TRUTH")),
-      odometries_(bus.advertise<WheelOdometry>("WHEEL_ODOMETRY")) {
-  bus.on_each<BaseCommand>("BASE_COMMAND", [this](const BaseCommand& message) { on_command(message); });
-  const auto awaits = [&](const char* channel) {
-    return std::find(awaited.begin(), awaited.end(), channel) != awaited.end();
+      rounds_(bus.advertise(channels::kRfidTagHits)),
+      scans_(bus.advertise(channels::kSonarScan)),
+      truths_(bus.advertise(channels::kSimBaseTruth)),
+      odometries_(bus.advertise(channels::kWheelOdometry)) {
+  bus.on_each(channels::kBaseCommand, [this](const BaseCommand& message) { on_command(message); });
+  const auto await = [&](const auto& channel) {
+    if (std::find(awaited.begin(), awaited.end(), channel.name) == awaited.end()) return;
+    bus.on_each(channel, [this, name = channel.name](const auto& message) {
+      barrier_.note(name, message.odometry_session, message.odometry_seq);
+    });
   };
-  const auto note_on = [this](const char* channel) {
-    return [this, channel](const auto& message) {
-      barrier_.note(channel, message.odometry_session, message.odometry_seq);
-    };
-  };
-  if (awaits("BASE_STATUS")) bus.on_each<BaseStatus>("BASE_STATUS", note_on("BASE_STATUS"));
-  if (awaits("ROBOT_POSE")) bus.on_each<RobotPose>("ROBOT_POSE", note_on("ROBOT_POSE"));
+  await(channels::kBaseStatus);
+  await(channels::kRobotPose);
 }
 
 void BaseNode::on_command(const BaseCommand& message) {
   const CommandVerdict verdict = simulation_->command_base(
       {message.odometry_session, message.odometry_seq, message.utime}, message.speed, message.turn_rate);
-  barrier_.note("BASE_COMMAND", message.odometry_session, message.odometry_seq);
+  barrier_.note(channels::kBaseCommand.name, message.odometry_session, message.odometry_seq);
   switch (verdict) {
     case CommandVerdict::kObeyed:
     case CommandVerdict::kLatched:      // commands go on while the base is stopped

@@ -27,15 +27,16 @@ constexpr std::int64_t kJointStatePeriod_us = 10'000;
 constexpr milliseconds kSlipLimit{100};  // how far simulated time may fall behind before it slips
 
 std::vector<std::string> answering_channels() {
-  std::vector<std::string> channels = {"JOINT_COMMAND", "TASK_STATE",     "SERVO_STATUS",
-                                       "TARGET_POSE",   "MARK_DETECTION", "SIM_CONTROL"};
-  for (const std::string& channel : BaseNode::answering_channels()) channels.push_back(channel);
-  return channels;
+  std::vector<std::string> names = {channels::kJointCommand.name,  channels::kTaskState.name,
+                                    channels::kServoStatus.name,   channels::kTargetPose.name,
+                                    channels::kMarkDetection.name, channels::kSimControl.name};
+  for (const std::string& name : BaseNode::answering_channels()) names.push_back(name);
+  return names;
 }
 
 bool answers_odometry(const std::string& channel) {
-  const auto& channels = BaseNode::answering_channels();
-  return std::find(channels.begin(), channels.end(), channel) != channels.end();
+  const auto& names = BaseNode::answering_channels();
+  return std::find(names.begin(), names.end(), channel) != names.end();
 }
 
 std::string settings_help() {
@@ -115,10 +116,10 @@ void SimulatorNode::start(bus::Bus& bus) {
   simulation_ =
       std::make_unique<Simulation>(robot_, scene_, settings_, static_cast<std::uint64_t>(seed_), timing, bus.session());
   choose_encoding(bus.urls());
-  frames_ = bus.advertise<StereoFrame>("STEREO_FRAME");
-  joint_states_ = bus.advertise<JointState>("JOINT_STATE");
-  stop_states_ = bus.advertise<StopState>("STOP_STATE");
-  truths_ = bus.advertise<SimTruth>("SIM_TRUTH");
+  frames_ = bus.advertise(channels::kStereoFrame);
+  joint_states_ = bus.advertise(channels::kJointState);
+  stop_states_ = bus.advertise(channels::kStopState);
+  truths_ = bus.advertise(channels::kSimTruth);
   subscribe(bus);
   // The first picture takes some 0.4 s: here, not when time already runs.
   simulation_->world().truth();
@@ -133,9 +134,9 @@ void SimulatorNode::choose_encoding(const bus::BusUrls& urls) {
 }
 
 void SimulatorNode::subscribe(bus::Bus& bus) {
-  bus.on_each<JointCommand>("JOINT_COMMAND", [this](const JointCommand& message) { on_joint_command(message); });
-  bus.on_each_from_many<StopRequest>("STOP", [this](const StopRequest& message) { on_stop(message); });
-  bus.on_each_from_many<SimControl>("SIM_CONTROL", [this](const SimControl& message) { on_control(message); });
+  bus.on_each(channels::kJointCommand, [this](const JointCommand& message) { on_joint_command(message); });
+  bus.on_each(channels::kStop, [this](const StopRequest& message) { on_stop(message); });
+  bus.on_each(channels::kSimControl, [this](const SimControl& message) { on_control(message); });
   std::vector<std::string> frame_answers;
   std::vector<std::string> odometry_answers;
   if (lockstep_) {
@@ -149,20 +150,23 @@ void SimulatorNode::subscribe(bus::Bus& bus) {
 }
 
 void SimulatorNode::await_channel(bus::Bus& bus, const std::string& channel) {
-  const auto note = [this, channel](const auto& message) {
-    barrier_.note(channel, message.frame_session, message.frame_seq);
+  const auto await = [&](const auto& awaited) {
+    if (channel != awaited.name) return;
+    bus.on_each(awaited, [this, channel](const auto& message) {
+      barrier_.note(channel, message.frame_session, message.frame_seq);
+    });
   };
-  if (channel == "TASK_STATE") bus.on_each<TaskState>(channel, note);
-  if (channel == "SERVO_STATUS") bus.on_each<ServoStatus>(channel, note);
-  if (channel == "TARGET_POSE") bus.on_each<TargetPose>(channel, note);
-  if (channel == "MARK_DETECTION") bus.on_each<MarkDetection>(channel, note);
+  await(channels::kTaskState);
+  await(channels::kServoStatus);
+  await(channels::kTargetPose);
+  await(channels::kMarkDetection);
   // JOINT_COMMAND and SIM_CONTROL are subscribed anyway; their handlers tell the barrier.
 }
 
 void SimulatorNode::on_joint_command(const JointCommand& message) {
   const CommandVerdict verdict =
       simulation_->command({message.frame_session, message.frame_seq, message.frame_utime}, arm_command(message));
-  barrier_.note("JOINT_COMMAND", message.frame_session, message.frame_seq);
+  barrier_.note(channels::kJointCommand.name, message.frame_session, message.frame_seq);
   switch (verdict) {
     case CommandVerdict::kObeyed:
     case CommandVerdict::kLatched:      // commands go on while the arm is stopped
@@ -192,7 +196,7 @@ void SimulatorNode::on_stop(const StopRequest& message) {
 
 void SimulatorNode::on_control(const SimControl& message) {
   if (message.kind == SimControl::STEP) {
-    barrier_.note("SIM_CONTROL", message.frame_session, message.frame_seq);
+    barrier_.note(channels::kSimControl.name, message.frame_session, message.frame_seq);
     return;
   }
   if (controls_.accept(message.session, message.control_id)) {

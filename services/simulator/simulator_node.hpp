@@ -65,7 +65,7 @@ class SimulatorNode : public bus::Service {
   std::string scene_file_ = "config/scenes/shelf.yaml";
   std::int64_t seed_ = 1;
   bool lockstep_ = false;
-  std::vector<std::string> wait_for_ = {"JOINT_COMMAND"};
+  std::vector<std::string> wait_for_ = {channels::kJointCommand.name};
   double lockstep_timeout_s_ = 5.0;
   std::string encoding_ = "auto";
   int jpeg_quality_ = 90;

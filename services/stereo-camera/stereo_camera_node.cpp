@@ -143,7 +143,7 @@ void StereoCameraNode::start(bus::Bus& bus) {
     throw ConfigurationError("--loop is given and the bus is a log, which would never end; allowed: with --count");
   }
   choose_encoding(bus.urls());
-  frames_ = bus.advertise<StereoFrame>("STEREO_FRAME");
+  frames_ = bus.advertise(channels::kStereoFrame);
 }
 
 void StereoCameraNode::run(bus::Bus& bus) {

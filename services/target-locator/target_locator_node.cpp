@@ -54,9 +54,9 @@ void TargetLocatorNode::configure(const std::string& robot_file) {
 }
 
 void TargetLocatorNode::start(bus::Bus& bus) {
-  poses_.emplace(bus.advertise<TargetPose>("TARGET_POSE"));
-  matches_.emplace(bus.advertise<StereoMatches>("STEREO_MATCHES"));
-  bus.on_latest<MarkDetection>("MARK_DETECTION", [this](const MarkDetection& detection) { handle(detection); });
+  poses_.emplace(bus.advertise(channels::kTargetPose));
+  matches_.emplace(bus.advertise(channels::kStereoMatches));
+  bus.on_latest(channels::kMarkDetection, [this](const MarkDetection& detection) { handle(detection); });
 }
 
 void TargetLocatorNode::handle(const MarkDetection& detection) {

@@ -53,17 +53,17 @@ void TaskManagerNode::configure(const std::string& robot_file) {
 
 void TaskManagerNode::start(bus::Bus& bus) {
   bus_ = &bus;
-  goals_.emplace(bus.advertise<ServoGoal>("SERVO_GOAL"));
-  states_.emplace(bus.advertise<TaskState>("TASK_STATE"));
+  goals_.emplace(bus.advertise(channels::kServoGoal));
+  states_.emplace(bus.advertise(channels::kTaskState));
   if (robot_.base) {
-    base_goals_.emplace(bus.advertise<BaseGoal>("BASE_GOAL"));
-    bus.on_each<BaseStatus>("BASE_STATUS", [this](const BaseStatus& status) { on_base(status); });
+    base_goals_.emplace(bus.advertise(channels::kBaseGoal));
+    bus.on_each(channels::kBaseStatus, [this](const BaseStatus& status) { on_base(status); });
   }
-  bus.on_each_from_many<TaskCommand>("TASK_COMMAND", [this](const TaskCommand& command) { on_command(command); });
-  bus.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& stop) { on_stop(stop); });
-  bus.on_each<JointState>("JOINT_STATE", [this](const JointState& joints) { on_joints(joints); });
-  bus.on_each<TargetPose>("TARGET_POSE", [this](const TargetPose& pose) { on_pose(pose); });
-  bus.on_each<ServoStatus>("SERVO_STATUS", [this](const ServoStatus& status) { on_status(status); });
+  bus.on_each(channels::kTaskCommand, [this](const TaskCommand& command) { on_command(command); });
+  bus.on_each(channels::kStopState, [this](const StopState& stop) { on_stop(stop); });
+  bus.on_each(channels::kJointState, [this](const JointState& joints) { on_joints(joints); });
+  bus.on_each(channels::kTargetPose, [this](const TargetPose& pose) { on_pose(pose); });
+  bus.on_each(channels::kServoStatus, [this](const ServoStatus& status) { on_status(status); });
 }
 
 void TaskManagerNode::on_command(const TaskCommand& message) {

@@ -90,10 +90,10 @@ void TaskOperatorNode::configure(const std::string& robot_file) {
 
 void TaskOperatorNode::start(bus::Bus& bus) {
   bus_ = &bus;
-  stops_.emplace(bus.advertise<StopRequest>("STOP"));
-  commands_.emplace(bus.advertise<TaskCommand>("TASK_COMMAND"));
-  bus.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& state) { on_stop_state(state); });
-  bus.on_each<TaskState>("TASK_STATE", [this](const TaskState& state) { on_task_state(state); });
+  stops_.emplace(bus.advertise(channels::kStop));
+  commands_.emplace(bus.advertise(channels::kTaskCommand));
+  bus.on_each(channels::kStopState, [this](const StopState& state) { on_stop_state(state); });
+  bus.on_each(channels::kTaskState, [this](const TaskState& state) { on_task_state(state); });
 }
 
 void TaskOperatorNode::on_stop_state(const StopState& state) {

@@ -23,9 +23,8 @@ bool JointHistory::add(const JointSample& sample, const JointVector& max_speed) 
   bool anew = false;
   if (!samples_.empty()) {
     const JointSample& last = samples_.back();
-    if (sample.session == last.session && sample.utime == last.utime) return false;
-    anew = sample.session != last.session || sample.utime < last.utime || sample.utime > last.utime + kGap_us ||
-           is_leap(last, sample, max_speed);
+    if (sample.utime <= last.utime) return false;
+    anew = sample.utime > last.utime + kGap_us || is_leap(last, sample, max_speed);
     if (anew) samples_.clear();
   }
   samples_.push_back(sample);

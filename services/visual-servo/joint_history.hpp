@@ -12,9 +12,17 @@ namespace markservo::visual_servo {
 
 class JointHistory {
  public:
-  // Adds a sample. A new writer, a clock that went back, a gap of more than 0.3 s, or a leap that no servo can make
-  // (`max_speed`, rad/s per joint) starts the history anew and returns true: what was commanded before no longer holds.
+  // Adds a sample; one that is not newer than the newest is passed over. A gap of more than 0.3 s, or a leap that no
+  // servo can make (`max_speed`, rad/s per joint), starts the history anew and returns true: what was commanded before
+  // no longer holds.
   bool add(const JointSample& sample, const JointVector& max_speed);
+
+  void forget() { samples_.clear(); }
+
+  // s, from the oldest sample to the newest; 0 when there are none.
+  double span() const {
+    return samples_.empty() ? 0.0 : seconds_between(samples_.front().utime, samples_.back().utime);
+  }
 
   bool empty() const { return samples_.empty(); }
   const JointSample& newest() const { return samples_.back(); }

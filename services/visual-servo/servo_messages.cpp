@@ -123,6 +123,7 @@ PoseSample pose_sample(const TargetPose& message) {
 JointCommand command_message(const Command& command, const TargetPose& pose) {
   JointCommand message{};
   bus::answer_frame(message, pose);
+  message.joint_session = command.joint_session;
   message.num_joints = robot::kNumJoints;
   message.position.assign(command.position.data(), command.position.data() + robot::kNumJoints);
   message.speed_limit.assign(command.speed_limit.data(), command.speed_limit.data() + robot::kNumJoints);

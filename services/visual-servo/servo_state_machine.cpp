@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
+#include "common/motion/freshness.hpp"
 #include "common/robot/arm_kinematics.hpp"
 #include "services/visual-servo/goal_check.hpp"
 #include "services/visual-servo/in_flight.hpp"
@@ -22,21 +22,7 @@ constexpr double kLongestFrame_s = 0.1;   // a longer gap must not become a long
 constexpr double kRampReserve = 1.05;     // ramps end a little before the next command
 constexpr double kSlowestRamp = 0.2;      // rad/s
 constexpr double kNegligibleStep = 1e-4;  // rad
-
-std::string age_text(const char* what, double seconds, double allowed) {
-  char text[128];
-  std::snprintf(text, sizeof text, "%s by %.2f s, allowed %.2f s", what, seconds, allowed);
-  return text;
-}
-
-// Remembers that the goal, and all before it, have been ended by a stop.
-void drop(const Goal& goal, State& state) {
-  constexpr std::size_t kSenders = 64;  // as many as a hostile one may make us remember
-  state.dropped[goal.session] = goal.id;
-  if (state.dropped.size() <= kSenders) return;
-  const auto first = state.dropped.begin();
-  state.dropped.erase(first->first == goal.session ? std::next(first) : first);
-}
+constexpr double kPlaceKnown_s = 0.03;  // of agreeing joint states after a leap, before the arm is taken where they say
 
 }  // namespace
 
@@ -62,28 +48,20 @@ bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
   return true;
 }
 
-bool ServoStateMachine::observe(const Goal& goal, State& state) const {
-  const auto dropped = state.dropped.find(goal.session);
-  if (dropped != state.dropped.end() && goal.id <= dropped->second) return false;
-  if (state.stop_latched.value_or(false)) {
-    drop(goal, state);
-    return false;
-  }
-  if (state.goal) {
-    const bool same_session = goal.session == state.goal->session;
-    if (same_session && goal.id < state.goal->id) return false;
-    if (!same_session && goal.utime < state.goal->utime) return false;
-    if (same_session && goal.id == state.goal->id) {
-      state.goal->utime = std::max(state.goal->utime, goal.utime);
-      return true;
-    }
-  }
+motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) const {
+  const std::int64_t now = state.joints.empty() ? 0 : state.joints.newest().utime;
+  const bool latched = state.stop_latched.value_or(false);
+  const auto heard = state.goals.hear({goal.session, goal.id, goal.utime}, now, parameters_.goal_age, latched);
+  if (!state.goals.goal()) state.goal.reset();
+  if (heard == motion::GoalHeard::kAgain) state.goal->utime = state.goals.goal()->utime;
+  if (heard != motion::GoalHeard::kNew) return heard;
   state.goal = goal;
   state.goal_refusal = why_goal_is_refused(robot_, goal);
+  state.dropped.clear();
   state.target.forget();
   state.sight = SightState();
   state.paper_frames = 0;
-  return true;
+  return heard;
 }
 
 void ServoStateMachine::observe_stop(bool latched, const std::string& reason, State& state) const {
@@ -92,9 +70,23 @@ void ServoStateMachine::observe_stop(bool latched, const std::string& reason, St
   state.stop_reason = reason;
   // Even if the reset comes before the next picture: what was commanded before the stop must not be resumed.
   if (latched || was_latched) state.adopt_joints = true;
-  if (!latched || !state.goal) return;
-  drop(*state.goal, state);
+  if (!latched) return;
+  state.goals.end();
   state.goal.reset();
+}
+
+void ServoStateMachine::begin_anew(const std::string& why, State& state) const {
+  state.joints.forget();
+  state.adopt_joints = true;
+  if (state.goal) state.dropped = why + ": the goal was dropped";
+  state.goals.end();
+  state.goal.reset();
+  begin_pictures_anew(state);
+}
+
+void ServoStateMachine::begin_pictures_anew(State& state) const {
+  state.frame_session = 0;
+  state.pose_utime = 0;
 }
 
 Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
@@ -109,12 +101,17 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     status.reason = "no JOINT_STATE yet";
     return output;
   }
-  if (!state.commanded || state.adopt_joints) adopt_joints(state);
+  const bool place_known = state.joints.span() >= kPlaceKnown_s;
+  if (!state.commanded || (state.adopt_joints && place_known)) adopt_joints(state);
   const std::string stale = why_stale(pose, state);
   // One picture with an impossible time must not make all that follow look old.
   if (stale.empty()) advance_time(pose, state);
 
-  if (!state.stop_latched || *state.stop_latched) {
+  if (!state.blocked.empty()) {
+    hold(state);
+    status.state = ServoState::kStopped;
+    status.reason = state.blocked;
+  } else if (!state.stop_latched || *state.stop_latched) {
     hold(state);
     // A stopped arm rests short of its command: begin from there.
     if (state.joints.newest().position != state.command.position) adopt_joints(state);
@@ -122,10 +119,10 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     status.state = ServoState::kStopped;
     status.reason = !state.stop_latched ? "no STOP_STATE of the arm yet" : state.stop_reason;
     if (status.reason.empty()) status.reason = "STOP is latched";
-  } else if (!stale.empty()) {
+  } else if (!stale.empty() || state.adopt_joints) {
     hold(state);
     status.state = ServoState::kStale;
-    status.reason = stale;
+    status.reason = stale.empty() ? "JOINT_STATE began anew" : stale;
   } else if (const std::string goal_stale = why_goal_is_stale(state); !goal_stale.empty()) {
     state.sight.window.clear();
     state.paper_frames = 0;
@@ -135,6 +132,7 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
   } else {
     follow_goal(pose, state, status);
   }
+  state.command.joint_session = state.joints.newest().session;
   output.command = state.command;
   return output;
 }
@@ -176,13 +174,9 @@ void ServoStateMachine::adopt_gripper(State& state) const {
 }
 
 std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& state) const {
-  const double pose_age = seconds_between(pose.utime, state.joints.newest().utime);
-  if (pose_age > parameters_.pose_age) {
-    return age_text("TARGET_POSE is older than JOINT_STATE", pose_age, parameters_.pose_age);
-  }
-  if (-pose_age > parameters_.joint_age) {
-    return age_text("JOINT_STATE is older than TARGET_POSE", -pose_age, parameters_.joint_age);
-  }
+  if (!pose.doubt.empty()) return pose.doubt;
+  const motion::Freshness rule{"TARGET_POSE", "JOINT_STATE", parameters_.pose_age, parameters_.joint_age};
+  if (auto why = why_not_fresh(rule, pose.utime, state.joints.newest().utime); !why.empty()) return why;
   if (pose.frame_session == state.frame_session && pose.utime <= state.pose_utime) {
     return "TARGET_POSE is not newer than the one before";
   }
@@ -191,8 +185,8 @@ std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& st
 
 std::string ServoStateMachine::why_goal_is_stale(const State& state) const {
   if (!state.goal) return "";
-  const double age = seconds_between(state.goal->utime, state.joints.newest().utime);
-  return age > parameters_.goal_age ? age_text("SERVO_GOAL is older than JOINT_STATE", age, parameters_.goal_age) : "";
+  const motion::Freshness rule{"SERVO_GOAL", "JOINT_STATE", parameters_.goal_age, parameters_.goal_age};
+  return why_not_fresh(rule, state.goal->utime, state.joints.newest().utime);
 }
 
 void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status& status) const {
@@ -205,7 +199,7 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
   status.settled = at_rest_since(settling, state.joints, state.command.position, state.command_utime).has_value();
   if (!state.goal) {
     status.state = ServoState::kHold;
-    status.reason = "no goal";
+    status.reason = state.dropped.empty() ? "no goal" : state.dropped;
     slow_down(state);
     return;
   }

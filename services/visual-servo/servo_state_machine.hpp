@@ -4,10 +4,10 @@
 // command and one status. No clock but the messages'.
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 
+#include "common/motion/goal_inbox.hpp"
 #include "services/visual-servo/gripper_watch.hpp"
 #include "services/visual-servo/joint_history.hpp"
 #include "services/visual-servo/posture_motion.hpp"
@@ -42,10 +42,12 @@ struct State {
   JointHistory joints;
   std::optional<bool> stop_latched;  // nothing before the arm's first STOP_STATE
   std::string stop_reason;
+  std::string blocked;  // why nothing may move though no stop is latched; empty when nothing speaks against it
 
-  std::optional<Goal> goal;
-  std::string goal_refusal;                      // why the goal cannot be followed at all
-  std::map<std::int64_t, std::int64_t> dropped;  // per session of goals: the last id that a stop has ended
+  motion::GoalInbox goals{"SERVO_GOAL"};
+  std::optional<Goal> goal;  // what goals.goal() asks for
+  std::string goal_refusal;  // why the goal cannot be followed at all
+  std::string dropped;       // why the last goal was dropped, until the next one
 
   bool commanded = false;
   bool adopt_joints = false;  // the command no longer belongs to this arm's state
@@ -72,10 +74,14 @@ class ServoStateMachine {
 
   // Refuses (false) what is not finite.
   bool observe(const JointSample& sample, State& state) const;
-  // A goal with an id that is neither new nor the present one is passed over (false).
-  bool observe(const Goal& goal, State& state) const;
+  // What became of a goal, new or repeated.
+  motion::GoalHeard observe(const Goal& goal, State& state) const;
   // The arm's STOP_STATE. Latched: the present goal ends.
   void observe_stop(bool latched, const std::string& reason, State& state) const;
+  // The arm is another one, or its clock began anew: the joints' history and the goal are forgotten. `why` for people.
+  void begin_anew(const std::string& why, State& state) const;
+  // The pictures are of another writer, or their clock began anew.
+  void begin_pictures_anew(State& state) const;
 
   Output step(const PoseSample& pose, State& state) const;
 

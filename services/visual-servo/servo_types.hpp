@@ -39,6 +39,7 @@ struct PoseSample {
   std::int64_t utime = 0;  // us, of the exposure
   std::int64_t frame_session = 0;
   std::vector<MarkSample> marks;
+  std::string doubt = {};  // why it must not be acted on: another writer's; empty when nothing speaks against it
 };
 
 enum class GoalKind { kHold, kPosture, kServo, kUnknown };
@@ -64,6 +65,7 @@ enum class ServoState { kHold, kPosture, kServo, kConverged, kLost, kUnreachable
 struct Command {
   JointVector position = JointVector::Zero();
   JointVector speed_limit = JointVector::Zero();  // rad/s, above 0
+  std::int64_t joint_session = 0;                 // of the joint states that it was made from
   double gripper_opening = 0.0;                   // m
   double gripper_force = 0.0;                     // N
 };

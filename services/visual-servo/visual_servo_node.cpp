@@ -2,9 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <markservo/JointState.hpp>
-#include <markservo/ServoGoal.hpp>
-#include <markservo/StopState.hpp>
 #include <stdexcept>
 
 #include "common/bus/number_options.hpp"
@@ -35,6 +32,19 @@ const char* name_of(ServoState state) {
       return "stopped";
   }
   return "unknown";
+}
+
+motion::Stamp stamp_of(const TargetPose& pose) {
+  return {pose.session, pose.seq, pose.utime};
+}
+
+motion::Stamp frame_of(const TargetPose& pose) {
+  return {pose.frame_session, pose.frame_seq, pose.frame_utime};
+}
+
+// Counted as refused on its channel, and logged.
+void drop(const std::string& why) {
+  if (!why.empty()) throw std::invalid_argument(why);
 }
 
 }  // namespace
@@ -87,20 +97,61 @@ void VisualServoNode::configure(const std::string& robot_file) {
 
 void VisualServoNode::start(bus::Bus& bus) {
   bus_ = &bus;
-  commands_.emplace(bus.advertise<JointCommand>("JOINT_COMMAND"));
-  statuses_.emplace(bus.advertise<ServoStatus>("SERVO_STATUS"));
-  bus.on_each_from_many<StopState>("STOP_STATE", [this](const StopState& stop) {
-    if (stop.device == stop_device_) machine_->observe_stop(stop.latched != 0, stop.reason, state_);
-  });
-  bus.on_each<JointState>("JOINT_STATE", [this](const JointState& joints) {
-    if (!machine_->observe(joint_sample(joints), state_)) throw std::invalid_argument("position is not finite");
-  });
-  bus.on_each<ServoGoal>("SERVO_GOAL", [this](const ServoGoal& goal) { machine_->observe(goal_of(goal), state_); });
-  bus.on_latest<TargetPose>("TARGET_POSE", [this](const TargetPose& pose) { handle(pose); });
+  arm_.emplace(stop_device_);
+  commands_.emplace(bus.advertise(channels::kJointCommand));
+  statuses_.emplace(bus.advertise(channels::kServoStatus));
+  stops_.emplace(bus.advertise(channels::kStop));
+  bus.on_each(channels::kStopState, [this](const StopState& stop) { on_stop(stop); });
+  bus.on_each(channels::kJointState, [this](const JointState& joints) { on_joints(joints); });
+  bus.on_each(channels::kServoGoal, [this](const ServoGoal& goal) { on_goal(goal); });
+  bus.on_latest(channels::kTargetPose, [this](const TargetPose& pose) { on_pose(pose); });
 }
 
-void VisualServoNode::handle(const TargetPose& pose) {
-  const Output output = machine_->step(pose_sample(pose), state_);
+void VisualServoNode::on_stop(const StopState& stop) {
+  if (stop.device != stop_device_) return;
+  const motion::Word word = arm_->hear_stop_state({stop.session, stop.seq, stop.utime}, stop.latched != 0, stop.reason);
+  if (word == motion::Word::kReplaced) {
+    machine_->begin_anew("the arm began anew", state_);
+    if (strangers_ && strangers_->session == stop.session) machine_->observe(*strangers_, state_);
+    strangers_.reset();
+  }
+  const std::string why = motion::why_dropped(word);
+  if (why.empty()) machine_->observe_stop(*arm_->latched(), arm_->stop_reason(), state_);
+  after_input();
+  drop(why);
+}
+
+void VisualServoNode::on_joints(const JointState& joints) {
+  const JointSample sample = joint_sample(joints);
+  const motion::Word word = arm_->hear_report(channels::kJointState.name, {joints.session, joints.seq, joints.utime});
+  if (word == motion::Word::kForeign) strangers_ = sample;
+  if (word == motion::Word::kAnew) machine_->begin_anew("the clock of JOINT_STATE was set back", state_);
+  const std::string why = motion::why_dropped(word);
+  if (why.empty() && !machine_->observe(sample, state_)) drop("position is not finite");
+  after_input();
+  drop(why);
+}
+
+void VisualServoNode::on_goal(const ServoGoal& goal) {
+  if (machine_->observe(goal_of(goal), state_) == motion::GoalHeard::kContested) {
+    arm_->raise(state_.goals.two());
+  }
+  after_input();
+}
+
+void VisualServoNode::on_pose(const TargetPose& pose) {
+  const motion::Heard heard = arm_->hear_stream(channels::kTargetPose.name, stamp_of(pose));
+  if (heard == motion::Heard::kLate) drop(motion::why_dropped(heard));
+  const motion::Heard frame = arm_->hear_stream(channels::kStereoFrame.name, frame_of(pose));
+  if (heard == motion::Heard::kAnew || frame == motion::Heard::kAnew) machine_->begin_pictures_anew(state_);
+  after_input();
+  PoseSample sample = pose_sample(pose);
+  if (const auto why = motion::why_dropped(heard); !why.empty()) {
+    sample.doubt = "TARGET_POSE " + why;
+  } else if (const auto frames_why = motion::why_dropped(frame); !frames_why.empty()) {
+    sample.doubt = "STEREO_FRAME " + frames_why;
+  }
+  const Output output = machine_->step(sample, state_);
   if (output.command) {
     JointCommand command = command_message(*output.command, pose);
     commands_->publish(command);
@@ -110,11 +161,35 @@ void VisualServoNode::handle(const TargetPose& pose) {
   tell(output.status);
 }
 
+// What two that claim to be one lead to.
+void VisualServoNode::after_input() {
+  state_.blocked = arm_->blocked();
+  const auto wish = arm_->stop_due();
+  if (!wish) return;
+  StopRequest stop{};
+  stop.utime = arm_->now();
+  stop.session = bus_->session();
+  stop.request_id = wish->id;
+  stop.kind = StopRequest::STOP;
+  stop.source = "visual-servo";
+  stop.reason = wish->reason;
+  stops_->publish(stop);
+}
+
+std::string VisualServoNode::notice() const {
+  std::string second = state_.goals.second(arm_->now(), parameters_.goal_age);
+  return second.empty() ? arm_->stranger() : second;
+}
+
 void VisualServoNode::tell(const Status& status) {
-  if (told_ == status.state) return;  // reasons may hold numbers that change with every frame
+  const std::string others = arm_->blocked().empty() ? notice() : arm_->blocked();
+  if (told_ == status.state && told_notice_ == others) return;  // reasons may hold numbers that change with every frame
   told_ = status.state;
-  bus_->set_state(name_of(status.state), status.reason);
-  spdlog::info("{}{}{}", name_of(status.state), status.reason.empty() ? "" : ": ", status.reason);
+  told_notice_ = others;
+  std::string reason = status.reason;
+  if (!others.empty() && others != reason) reason += (reason.empty() ? "" : "; ") + others;
+  bus_->set_state(name_of(status.state), reason);
+  spdlog::info("{}{}{}", name_of(status.state), reason.empty() ? "" : ": ", reason);
 }
 
 }  // namespace markservo::visual_servo

@@ -5,8 +5,8 @@
 namespace markservo::experiments {
 
 BusCounts::BusCounts(bus::Bus& bus) {
-  bus.on_each_from_many<ServiceStatus>(
-      "SERVICE_STATUS", [this](const ServiceStatus& status) { last_[status.host + "/" + status.name] = status; });
+  bus.on_each(channels::kServiceStatus,
+              [this](const ServiceStatus& status) { last_[status.host + "/" + status.name] = status; });
 }
 
 nlohmann::json BusCounts::report() const {

@@ -85,14 +85,13 @@ void draw_labels(cv::Mat& image, const TargetPose& pose, const MarkDetection& de
 }  // namespace
 
 Eyes::Eyes(bus::Bus& bus, std::function<void(int64_t seq)> on_frame) {
-  bus.on_each<StereoFrame>("STEREO_FRAME", [this, told = std::move(on_frame)](const StereoFrame& frame) {
+  bus.on_each(channels::kStereoFrame, [this, told = std::move(on_frame)](const StereoFrame& frame) {
     told(frame.seq);
     remember(frames_, frame);
   });
-  bus.on_each<MarkDetection>("MARK_DETECTION",
-                             [this](const MarkDetection& message) { remember(detections_, message); });
-  bus.on_each<StereoMatches>("STEREO_MATCHES", [this](const StereoMatches& message) { remember(matches_, message); });
-  bus.on_each<TargetPose>("TARGET_POSE", [this](const TargetPose& message) { remember(poses_, message); });
+  bus.on_each(channels::kMarkDetection, [this](const MarkDetection& message) { remember(detections_, message); });
+  bus.on_each(channels::kStereoMatches, [this](const StereoMatches& message) { remember(matches_, message); });
+  bus.on_each(channels::kTargetPose, [this](const TargetPose& message) { remember(poses_, message); });
 }
 
 void Eyes::write(const std::string& path, const std::string& title) const {

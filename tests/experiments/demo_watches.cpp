@@ -27,7 +27,7 @@ Eigen::Quaterniond orientation(const SimBody& body) {
 }  // namespace
 
 CommandLatency::CommandLatency(bus::Bus& bus) {
-  bus.on_each<JointCommand>("JOINT_COMMAND", [this](const JointCommand& command) { note(command); });
+  bus.on_each(channels::kJointCommand, [this](const JointCommand& command) { note(command); });
 }
 
 void CommandLatency::frame(int64_t seq) {
@@ -70,12 +70,12 @@ CarriedBook judge_carried(const SimBody& before, const SimBody& earlier, const S
 }
 
 StaleMotionWatch::StaleMotionWatch(bus::Bus& bus) {
-  bus.on_each<JointState>("JOINT_STATE", [this](const JointState& joints) {
+  bus.on_each(channels::kJointState, [this](const JointState& joints) {
     if (joints.session != world_session_) last_command_ = joints.utime;  // another world, another time
     world_session_ = joints.session;
     now_ = joints.utime;
   });
-  bus.on_each<JointCommand>("JOINT_COMMAND", [this](const JointCommand& command) { note(command); });
+  bus.on_each(channels::kJointCommand, [this](const JointCommand& command) { note(command); });
 }
 
 void StaleMotionWatch::note(const JointCommand& command) {

@@ -31,8 +31,8 @@ PoseError pose_error(const Pose2& a, const Pose2& b) {
 
 DriveWatch::DriveWatch(bus::Bus& bus) {
   // In this order: a pose is compared with the truth that came before it.
-  bus.on_each<SimBaseTruth>("SIM_BASE_TRUTH", [this](const SimBaseTruth& truth) { note(truth); });
-  bus.on_each<RobotPose>("ROBOT_POSE", [this](const RobotPose& told) { note(told); });
+  bus.on_each(channels::kSimBaseTruth, [this](const SimBaseTruth& truth) { note(truth); });
+  bus.on_each(channels::kRobotPose, [this](const RobotPose& told) { note(told); });
 }
 
 bool DriveWatch::driving() const {

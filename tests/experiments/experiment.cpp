@@ -82,8 +82,9 @@ pid_t Services::start(const std::string& name, const std::vector<std::string>& a
 }
 
 pid_t Services::start_simulator(const std::string& channels, const std::vector<std::string>& settings) {
-  std::vector<std::string> arguments{"--scene", options_.scene, "--lockstep", "--wait-for",
-                                     channels.empty() ? "SIM_CONTROL" : channels + ",SIM_CONTROL"};
+  std::vector<std::string> arguments{
+      "--scene", options_.scene, "--lockstep", "--wait-for",
+      channels.empty() ? channels::kSimControl.name : channels + "," + channels::kSimControl.name};
   for (const auto& setting : settings) arguments.insert(arguments.end(), {"--set", setting});
   return start("simulator", arguments);
 }

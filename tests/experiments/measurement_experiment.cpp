@@ -7,6 +7,7 @@
 #include <lcm/lcm-cpp.hpp>
 #include <map>
 #include <markservo/TargetPose.hpp>
+#include <markservo/channels.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -143,7 +144,7 @@ std::map<int64_t, TargetPose> locate(const Services& services, const std::vector
       detection.calibration.fx *= f_scale;
       detection.calibration.fy *= f_scale;
       detection.calibration.baseline *= b_scale;
-      log.publish("MARK_DETECTION", &detection);
+      log.publish(channels::kMarkDetection.name, &detection);
     }
   }
   const int code = services.run("target-locator", {"--method", method, "--lcm-in", "file://" + in + "?speed=0",
@@ -152,7 +153,7 @@ std::map<int64_t, TargetPose> locate(const Services& services, const std::vector
   std::map<int64_t, TargetPose> poses;
   lcm::LogFile log(out, "r");
   while (const auto* event = log.good() ? log.readNextEvent() : nullptr) {
-    if (event->channel != "TARGET_POSE") continue;
+    if (event->channel != channels::kTargetPose.name) continue;
     const auto decoded = bus::safe_decode<TargetPose>(event->data, static_cast<std::size_t>(event->datalen));
     if (decoded.ok) poses[decoded.message.frame_seq] = decoded.message;
   }

@@ -24,17 +24,16 @@ bus::BusParameters parameters(const std::string& lcm_url, const std::string& rob
 Rig::Rig(const std::string& lcm_url, const std::string& robot, Pace pace)
     : pace_(pace),
       bus_(parameters(lcm_url, robot)),
-      controls_(bus_.advertise<SimControl>("SIM_CONTROL")),
-      stops_(bus_.advertise<StopRequest>("STOP")),
-      commands_(bus_.advertise<TaskCommand>("TASK_COMMAND")),
-      goals_(bus_.advertise<ServoGoal>("SERVO_GOAL")) {
-  bus_.on_each<SimTruth>("SIM_TRUTH", [this](const SimTruth& truth) { truth_ = truth; });
-  bus_.on_each<ServoStatus>("SERVO_STATUS", [this](const ServoStatus& status) { servo_ = status; });
-  bus_.on_each<TaskState>("TASK_STATE", [this](const TaskState& state) { task_ = state; });
-  bus_.on_latest<MarkDetection>("MARK_DETECTION", [this](const MarkDetection& detection) { detection_ = detection; });
-  bus_.on_each_from_many<StopState>("STOP_STATE",
-                                    [this](const StopState& state) { stops_heard_[state.device] = state; });
-  bus_.on_each_from_many<ServiceStatus>("SERVICE_STATUS", [this](const ServiceStatus& status) {
+      controls_(bus_.advertise(channels::kSimControl)),
+      stops_(bus_.advertise(channels::kStop)),
+      commands_(bus_.advertise(channels::kTaskCommand)),
+      goals_(bus_.advertise(channels::kServoGoal)) {
+  bus_.on_each(channels::kSimTruth, [this](const SimTruth& truth) { truth_ = truth; });
+  bus_.on_each(channels::kServoStatus, [this](const ServoStatus& status) { servo_ = status; });
+  bus_.on_each(channels::kTaskState, [this](const TaskState& state) { task_ = state; });
+  bus_.on_latest(channels::kMarkDetection, [this](const MarkDetection& detection) { detection_ = detection; });
+  bus_.on_each(channels::kStopState, [this](const StopState& state) { stops_heard_[state.device] = state; });
+  bus_.on_each(channels::kServiceStatus, [this](const ServiceStatus& status) {
     if (status.state != "starting") started_.insert(status.pid);
   });
 }
@@ -133,7 +132,7 @@ void Rig::step(const std::function<bool()>& answered) {
 }
 
 void Rig::wait_for_detection() {
-  wait("MARK_DETECTION", [this] { return detection_answered(); });
+  wait(channels::kMarkDetection.name, [this] { return detection_answered(); });
 }
 
 void Rig::command(TaskCommand message) {
@@ -146,7 +145,7 @@ void Rig::command(TaskCommand message) {
   const auto begin = std::chrono::steady_clock::now();
   while (!echoed()) {
     if (std::chrono::steady_clock::now() - begin > kPatience) throw RigFailure("no task-manager answers TASK_COMMAND");
-    if (pace_ == Pace::kLockstep) wait("TASK_STATE", [this] { return task_answered(); });
+    if (pace_ == Pace::kLockstep) wait(channels::kTaskState.name, [this] { return task_answered(); });
     commands_.publish(message);
     step();
   }

@@ -140,7 +140,7 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
   Rig rig(options.lcm_url, "");
   Services services(options);
   for (const char* name : {"mark-detector", "target-locator"}) rig.wait_for_service(name, services.start(name));
-  rig.wait_for_service("simulator", services.start_simulator("JOINT_COMMAND"));
+  rig.wait_for_service("simulator", services.start_simulator(channels::kJointCommand.name));
   rig.wait_for_world();
   const double mark_height = true_mark(rig.truth(), target).value().z();
 

@@ -62,10 +62,10 @@ void SilenceWatch::observe(const SimBaseTruth& truth) {
 
 StaleDriveWatch::StaleDriveWatch(bus::Bus& bus)
     : pose_(pose_limits()), command_(SilenceLimits()), goal_(goal_limits()) {
-  bus.on_each<RobotPose>("ROBOT_POSE", [this](const RobotPose& told) { pose_.message(told.utime); });
-  bus.on_each<BaseCommand>("BASE_COMMAND", [this](const BaseCommand& command) { command_.message(command.utime); });
-  bus.on_each<BaseGoal>("BASE_GOAL", [this](const BaseGoal& goal) { goal_.message(goal.utime); });
-  bus.on_each<SimBaseTruth>("SIM_BASE_TRUTH", [this](const SimBaseTruth& truth) {
+  bus.on_each(channels::kRobotPose, [this](const RobotPose& told) { pose_.message(told.utime); });
+  bus.on_each(channels::kBaseCommand, [this](const BaseCommand& command) { command_.message(command.utime); });
+  bus.on_each(channels::kBaseGoal, [this](const BaseGoal& goal) { goal_.message(goal.utime); });
+  bus.on_each(channels::kSimBaseTruth, [this](const SimBaseTruth& truth) {
     for (SilenceWatch* watch : {&pose_, &command_, &goal_}) watch->observe(truth);
   });
 }
@@ -75,9 +75,9 @@ nlohmann::json report_of(const StaleDriveWatch& watch) {
     return nlohmann::json{
         {"longest_s", channel.longest()}, {"moved_m", channel.moved()}, {"turned_rad", channel.turned()}};
   };
-  return {{"ROBOT_POSE", silence(watch.pose())},
-          {"BASE_COMMAND", silence(watch.command())},
-          {"BASE_GOAL", silence(watch.goal())}};
+  return {{channels::kRobotPose.name, silence(watch.pose())},
+          {channels::kBaseCommand.name, silence(watch.command())},
+          {channels::kBaseGoal.name, silence(watch.goal())}};
 }
 
 }  // namespace markservo::experiments

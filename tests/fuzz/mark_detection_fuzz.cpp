@@ -80,14 +80,14 @@ MarkDetection take_detection(FuzzedDataProvider& data) {
 }
 
 void run(FuzzedDataProvider& data) {
-  fuzz::NodeOnBus<TargetLocatorNode> node("MARK_DETECTION");
+  fuzz::NodeOnBus<TargetLocatorNode> node(channels::kMarkDetection);
   int poses = 0;
   int matches = 0;
-  node.bus().on_each<TargetPose>("TARGET_POSE", [&poses](const TargetPose& pose) {
+  node.bus().on_each(channels::kTargetPose, [&poses](const TargetPose& pose) {
     ++poses;
     require(pose.getEncodedSize() <= kMaxPoseBytes, "a TARGET_POSE fits one packet");
   });
-  node.bus().on_each<StereoMatches>("STEREO_MATCHES", [&matches](const StereoMatches&) { ++matches; });
+  node.bus().on_each(channels::kStereoMatches, [&matches](const StereoMatches&) { ++matches; });
   std::vector<uint8_t> bytes = fuzz::encoded(take_detection(data));
   if (data.ConsumeIntegralInRange(0, 3) == 3) fuzz::damage(data, bytes);
   node.send({std::move(bytes)});

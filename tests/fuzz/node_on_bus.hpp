@@ -46,8 +46,8 @@ class NodeOnBus {
   };
 
   // `channel` is what the node reads.
-  explicit NodeOnBus(std::string channel)
-      : channel_(std::move(channel)), bus_(parameters()), sender_(bus_.advertise<Datagram>(channel_)) {
+  explicit NodeOnBus(const channels::Entry& channel)
+      : channel_(channel), bus_(parameters()), sender_(bus_.advertise(channel_)) {
     spdlog::set_level(spdlog::level::off);
     CLI::App app;
     node_.add_options(app);
@@ -67,7 +67,7 @@ class NodeOnBus {
   Counts counts() const {
     Counts counts;
     for (const auto& status : bus_.status().channels) {
-      if (status.channel == channel_) counts = {status.received, status.refused};
+      if (status.channel == channel_.name) counts = {status.received, status.refused};
     }
     return counts;
   }
@@ -80,7 +80,7 @@ class NodeOnBus {
     return parameters;
   }
 
-  std::string channel_;
+  channels::Channel<Datagram> channel_;
   bus::Bus bus_;
   Node node_;
   bus::Publisher<Datagram> sender_;

@@ -71,9 +71,9 @@ bool is_small(const std::vector<uint8_t>& bytes) {
 }
 
 void run(FuzzedDataProvider& data) {
-  fuzz::NodeOnBus<MarkDetectorNode> node("STEREO_FRAME");
+  fuzz::NodeOnBus<MarkDetectorNode> node(channels::kStereoFrame);
   int64_t answers = 0;
-  node.bus().on_each<MarkDetection>("MARK_DETECTION", [&answers](const MarkDetection&) { ++answers; });
+  node.bus().on_each(channels::kMarkDetection, [&answers](const MarkDetection&) { ++answers; });
   const int num_frames = data.ConsumeIntegralInRange(1, kMaxFrames);
   for (int k = 0; k < num_frames; ++k) {
     std::vector<uint8_t> bytes = fuzz::encoded(take_frame(data, k));

@@ -36,7 +36,7 @@ std::map<int64_t, SimTruth> record_frames(const TemporaryFolder& folder, const s
   experiments::Rig rig(options.lcm_url, "");
   lcm::LCM log("file://" + folder.path(log_name) + "?mode=w");
   StereoFrame frame{};
-  rig.bus().on_each<StereoFrame>("STEREO_FRAME", [&](const StereoFrame& message) { frame = message; });
+  rig.bus().on_each(channels::kStereoFrame, [&](const StereoFrame& message) { frame = message; });
   rig.wait_for_world();
   rig.reset(3, {});
   std::map<int64_t, SimTruth> truths;

@@ -9,6 +9,7 @@
 #include <lcm/lcm-cpp.hpp>
 #include <markservo/JointState.hpp>
 #include <markservo/StereoFrame.hpp>
+#include <markservo/channels.hpp>
 #include <memory>
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include <markservo/JointCommand.hpp>
 #include <markservo/MarkDetection.hpp>
 #include <markservo/TargetPose.hpp>
+#include <markservo/channels.hpp>
 #include <stdexcept>
 
 #include "common/bus/bus_url.hpp"
@@ -30,10 +31,10 @@ void stamp_mark(std::vector<std::uint8_t>& frame, std::int64_t frame_seq) {
 Route chain_route(const std::string& url) {
   return {"chain",
           url,
-          "STEREO_FRAME",
-          {{"mark-detector", "MARK_DETECTION", answered_frame<MarkDetection>},
-           {"target-locator", "TARGET_POSE", answered_frame<TargetPose>},
-           {"visual-servo", "JOINT_COMMAND", answered_frame<JointCommand>}},
+          channels::kStereoFrame.name,
+          {{"mark-detector", channels::kMarkDetection.name, answered_frame<MarkDetection>},
+           {"target-locator", channels::kTargetPose.name, answered_frame<TargetPose>},
+           {"visual-servo", channels::kJointCommand.name, answered_frame<JointCommand>}},
           nullptr};
 }
 

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <lcm/lcm-cpp.hpp>
 #include <markservo/StereoFrame.hpp>
+#include <markservo/channels.hpp>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -58,8 +59,8 @@ int run(const Options& options) {
   if (!lcm.good()) throw std::runtime_error("bus " + options.lcm_url + ": cannot be joined");
   const std::int64_t session = bus::random_session();
   const std::string prefix = options.prefix.empty() ? "" : options.prefix + "/";
-  bus::Publisher<StereoFrame> frame_channel(&lcm, prefix + "STEREO_FRAME", session);
-  bus::Publisher<JointState> joint_channel(&lcm, prefix + "JOINT_STATE", session);
+  bus::Publisher<StereoFrame> frame_channel(&lcm, prefix + channels::kStereoFrame.name, session);
+  bus::Publisher<JointState> joint_channel(&lcm, prefix + channels::kJointState.name, session);
   std::cout << "sending" << std::endl;
 
   const auto half = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(0.5 / options.rate));

@@ -2,6 +2,7 @@
 
 #include <lcm/lcm-cpp.hpp>
 #include <markservo/SimBaseTruth.hpp>
+#include <markservo/channels.hpp>
 #include <stdexcept>
 
 #include "common/bus/safe_decode.hpp"
@@ -57,15 +58,15 @@ void write_log(const Drive& drive, bool with_odometry, const std::string& file) 
       RfidTagHits hits = simulator::rfid_message(drive.rounds[next_round]);
       hits.session = kSession;
       hits.seq = static_cast<std::int64_t>(next_round);
-      log.write("RFID_TAG_HITS", hits);
+      log.write(channels::kRfidTagHits.name, hits);
     }
     if (with_odometry) {
       WheelOdometry odometry = simulator::odometry_message(drive.odometry[i]);
       odometry.session = kSession;
       odometry.seq = seq;
-      log.write("WHEEL_ODOMETRY", odometry);
+      log.write(channels::kWheelOdometry.name, odometry);
     }
-    log.write("SIM_BASE_TRUTH", truth_message(drive.truth[i], utime, seq));
+    log.write(channels::kSimBaseTruth.name, truth_message(drive.truth[i], utime, seq));
   }
 }
 
@@ -74,7 +75,7 @@ std::vector<RobotPose> read_poses(const std::string& file) {
   if (!log.good()) throw std::runtime_error(file + ": cannot be read");
   std::vector<RobotPose> poses;
   while (const lcm::LogEvent* event = log.readNextEvent()) {
-    if (event->channel != "ROBOT_POSE") continue;
+    if (event->channel != channels::kRobotPose.name) continue;
     const auto decoded = bus::safe_decode<RobotPose>(event->data, static_cast<std::size_t>(event->datalen));
     if (!decoded.ok) throw std::runtime_error(file + ": a ROBOT_POSE that cannot be decoded");
     poses.push_back(decoded.message);

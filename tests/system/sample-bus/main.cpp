@@ -17,6 +17,7 @@
 #include <markservo/TargetPose.hpp>
 #include <markservo/TaskCommand.hpp>
 #include <markservo/WheelOdometry.hpp>
+#include <markservo/channels.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -30,6 +31,7 @@
 namespace {
 
 using markservo::bus::Publisher;
+namespace channels = markservo::channels;
 
 volatile std::sig_atomic_t signalled = 0;
 
@@ -45,12 +47,12 @@ class SampleBus {
   SampleBus(lcm::LCM* lcm, const Options& options)
       : lcm_(lcm),
         options_(options),
-        goals_(lcm, "SERVO_GOAL", 101),
-        poses_(lcm, "TARGET_POSE", 102),
-        wheels_(lcm, "WHEEL_ODOMETRY", 103),
-        other_wheels_(lcm, "WHEEL_ODOMETRY", 104),
-        commands_(lcm, "TASK_COMMAND", 105),
-        frames_(lcm, "STEREO_FRAME", 106) {}
+        goals_(lcm, channels::kServoGoal.name, 101),
+        poses_(lcm, channels::kTargetPose.name, 102),
+        wheels_(lcm, channels::kWheelOdometry.name, 103),
+        other_wheels_(lcm, channels::kWheelOdometry.name, 104),
+        commands_(lcm, channels::kTaskCommand.name, 105),
+        frames_(lcm, channels::kStereoFrame.name, 106) {}
 
   // All channels once, `round` counting from 0.
   void publish(int round, int64_t utime) {
@@ -121,7 +123,7 @@ class SampleBus {
     joints.utime = utime;
     std::vector<uint8_t> bytes(static_cast<std::size_t>(joints.getEncodedSize()));
     joints.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-    lcm_->publish("JOINT_STATE", bytes.data(), static_cast<unsigned int>(bytes.size() - 1));
+    lcm_->publish(channels::kJointState.name, bytes.data(), static_cast<unsigned int>(bytes.size() - 1));
     std::array<uint8_t, 24> foreign{};
     foreign.fill(0x5a);
     lcm_->publish("FOREIGN", foreign.data(), static_cast<unsigned int>(foreign.size()));

@@ -21,11 +21,11 @@ class BaseNavigatorOnABus : public bus::NodeOnABus<BaseNavigatorNode> {
  protected:
   BaseNavigatorOnABus() : NodeOnABus("base-navigator") {
     start_node();
-    bus_.on_each<BaseStatus>("BASE_STATUS", [this](const BaseStatus& status) {
+    bus_.on_each(channels::kBaseStatus, [this](const BaseStatus& status) {
       statuses_.push_back(status);
       order_ += 's';
     });
-    bus_.on_each<BaseCommand>("BASE_COMMAND", [this](const BaseCommand& command) {
+    bus_.on_each(channels::kBaseCommand, [this](const BaseCommand& command) {
       commands_.push_back(command);
       order_ += 'c';
     });
@@ -92,11 +92,11 @@ class BaseNavigatorOnABus : public bus::NodeOnABus<BaseNavigatorNode> {
   }
 
   static constexpr std::int64_t kStart = 1'700'000'000'000'000;
-  bus::Publisher<StopState> stops_ = bus_.advertise<StopState>("STOP_STATE");
-  bus::Publisher<WheelOdometry> odometry_ = bus_.advertise<WheelOdometry>("WHEEL_ODOMETRY");
-  bus::Publisher<RobotPose> poses_ = bus_.advertise<RobotPose>("ROBOT_POSE");
-  bus::Publisher<SonarScan> scans_ = bus_.advertise<SonarScan>("SONAR_SCAN");
-  bus::Publisher<BaseGoal> goals_ = bus_.advertise<BaseGoal>("BASE_GOAL");
+  bus::Publisher<StopState> stops_ = bus_.advertise(channels::kStopState);
+  bus::Publisher<WheelOdometry> odometry_ = bus_.advertise(channels::kWheelOdometry);
+  bus::Publisher<RobotPose> poses_ = bus_.advertise(channels::kRobotPose);
+  bus::Publisher<SonarScan> scans_ = bus_.advertise(channels::kSonarScan);
+  bus::Publisher<BaseGoal> goals_ = bus_.advertise(channels::kBaseGoal);
   std::int64_t utime_ = kStart;
   std::vector<BaseCommand> commands_;
   std::vector<BaseStatus> statuses_;

@@ -44,8 +44,8 @@ class BridgeTest : public ::testing::Test {
   }
 
   template <class M>
-  std::vector<M>& collect(bus::Bus& bus, const std::string& channel, std::vector<M>& messages) {
-    bus.on_each_from_many<M>(channel, [&messages](const M& message) { messages.push_back(message); });
+  std::vector<M>& collect(bus::Bus& bus, const channels::Channel<M>& channel, std::vector<M>& messages) {
+    bus.on_each(channel, [&messages](const M& message) { messages.push_back(message); });
     return messages;
   }
 
@@ -64,8 +64,8 @@ class BridgeTest : public ::testing::Test {
 TEST_F(BridgeTest, PassesANamedChannelWithItsSessionAndNumber) {
   const Bridge bridge(local_, link_, crossing({"JOINT_STATE"}, {}));
   std::vector<JointState> crossed;
-  collect(link_, "JOINT_STATE", crossed);
-  auto publisher = local_.advertise<JointState>("JOINT_STATE");
+  collect(link_, channels::kJointState, crossed);
+  auto publisher = local_.advertise(channels::kJointState);
   for (std::int64_t utime = 1; utime <= 3; ++utime) {
     JointState state = joints(utime);
     publisher.publish(state);
@@ -80,8 +80,8 @@ TEST_F(BridgeTest, PassesANamedChannelWithItsSessionAndNumber) {
 TEST_F(BridgeTest, PassesWhatItReceivesFromTheLink) {
   const Bridge bridge(local_, link_, crossing({}, {"JOINT_STATE"}));
   std::vector<JointState> crossed;
-  collect(local_, "JOINT_STATE", crossed);
-  auto publisher = link_.advertise<JointState>("JOINT_STATE");
+  collect(local_, channels::kJointState, crossed);
+  auto publisher = link_.advertise(channels::kJointState);
   JointState state = joints(1);
   publisher.publish(state);
   settle();
@@ -92,10 +92,11 @@ TEST_F(BridgeTest, KeepsAllOtherChannelsWhereTheyAre) {
   const Bridge bridge(local_, link_, crossing({"JOINT_STATE"}, {}));
   std::vector<JointState> crossed;
   std::vector<JointState> back;
-  collect(link_, "OTHER", crossed);
-  collect(local_, "JOINT_STATE", back);
-  auto other = local_.advertise<JointState>("OTHER");
-  auto against = link_.advertise<JointState>("JOINT_STATE");
+  const auto elsewhere = bus::made_up<JointState>("OTHER");
+  collect(link_, elsewhere, crossed);
+  collect(local_, channels::kJointState, back);
+  auto other = local_.advertise(elsewhere);
+  auto against = link_.advertise(channels::kJointState);
   JointState state = joints(1);
   other.publish(state);
   against.publish(state);
@@ -108,15 +109,15 @@ TEST_F(BridgeTest, WhatCrossesBothWaysCrossesOnceAndComesToRest) {
   const Bridge bridge(local_, link_, crossing({"STOP"}, {"STOP"}));
   std::vector<StopRequest> here;
   std::vector<StopRequest> there;
-  collect(local_, "STOP", here);
-  collect(link_, "STOP", there);
-  auto publisher = local_.advertise<StopRequest>("STOP");
+  collect(local_, channels::kStop, here);
+  collect(link_, channels::kStop, there);
+  auto publisher = local_.advertise(channels::kStop);
   StopRequest request = stop(1);
   publisher.publish(request);
   settle();
   EXPECT_EQ(here.size(), 1U);
   EXPECT_EQ(there.size(), 1U);
-  auto against = link_.advertise<StopRequest>("STOP");
+  auto against = link_.advertise(channels::kStop);
   request = stop(2);
   against.publish(request);
   settle();
@@ -128,8 +129,8 @@ TEST_F(BridgeTest, TwoBridgesBetweenTheSameBusesComeToRestToo) {
   const Bridge one(local_, link_, crossing({"STOP"}, {"STOP"}));
   const Bridge another(local_, link_, crossing({"STOP"}, {"STOP"}));
   std::vector<StopRequest> here;
-  collect(local_, "STOP", here);
-  auto publisher = local_.advertise<StopRequest>("STOP");
+  collect(local_, channels::kStop, here);
+  auto publisher = local_.advertise(channels::kStop);
   StopRequest request = stop(1);
   publisher.publish(request);
   for (int i = 0; i < 20; ++i) settle();
@@ -141,8 +142,8 @@ TEST_F(BridgeTest, AMessageTooLargeForALossyLinkIsRefusedAndCounted) {
   small.largest = 100;
   const Bridge bridge(local_, link_, small);
   std::vector<StopRequest> crossed;
-  collect(link_, "STOP", crossed);
-  auto publisher = local_.advertise<StopRequest>("STOP");
+  collect(link_, channels::kStop, crossed);
+  auto publisher = local_.advertise(channels::kStop);
   StopRequest request = stop(1);
   request.reason = std::string(100, 'x');
   publisher.publish(request);
@@ -169,7 +170,7 @@ TEST_F(BridgeTest, PassesBytesThatAreNoMessageAsTheyAre) {
 TEST_F(BridgeTest, TheStatusCountsBothDirections) {
   const Bridge bridge(local_, link_, crossing({"STOP"}, {"STOP"}));
   local_.report_also(link_, "link:");
-  auto publisher = local_.advertise<StopRequest>("STOP");
+  auto publisher = local_.advertise(channels::kStop);
   StopRequest request = stop(1);
   publisher.publish(request);
   settle();

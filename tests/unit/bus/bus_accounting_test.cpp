@@ -16,7 +16,7 @@ namespace {
 class BusAccounting : public BusTest {
  protected:
   BusAccounting() : bus_(parameters()) {
-    bus_.on_each<JointState>("JOINT_STATE", [this](const JointState&) { ++handled_; });
+    bus_.on_each(channels::kJointState, [this](const JointState&) { ++handled_; });
   }
 
   // Two writers and raw bytes need a way in besides the bus's own publisher: memq:// joins only one LCM instance.
@@ -30,7 +30,7 @@ class BusAccounting : public BusTest {
     Bus& bus;
     void send(const JointState& state) {
       RawJointState raw{state};
-      auto publisher = bus.advertise<RawJointState>("JOINT_STATE");
+      auto publisher = bus.advertise(channels::Channel<RawJointState>(channels::kJointState));
       publisher.publish(raw);
     }
   };
@@ -50,7 +50,7 @@ class BusAccounting : public BusTest {
   };
   void deliver_bytes(const std::vector<uint8_t>& bytes) {
     RawBytes raw{bytes};
-    auto publisher = bus_.advertise<RawBytes>("JOINT_STATE");
+    auto publisher = bus_.advertise(channels::Channel<RawBytes>(channels::kJointState));
     publisher.publish(raw);
   }
   ChannelStatus counted() {
@@ -85,6 +85,22 @@ TEST_F(BusAccounting, TwoWritersAtOnceAreNamed) {
   deliver(joint_state(2), 8, 1);
   deliver(joint_state(3), 7, 2);
   EXPECT_TRUE(counted().second_writer);
+}
+
+TEST_F(BusAccounting, ManyMayWriteWhereTheTableSaysSo) {
+  Bus bus(parameters());
+  bus.on_each(channels::Channel<JointState>(channels::kStop), [](const JointState&) {});
+  auto publisher = bus.advertise(channels::Channel<RawJointState>(channels::kStop));
+  for (const int64_t session : {7, 8, 7, 8}) {
+    RawJointState raw{joint_state(1)};
+    raw.state.session = session;
+    raw.state.seq = 3 * session;
+    publisher.publish(raw);
+  }
+  settle(bus);
+  EXPECT_EQ(only_channel(bus).received, 4);
+  EXPECT_EQ(only_channel(bus).lost, 0);
+  EXPECT_FALSE(only_channel(bus).second_writer);
 }
 
 TEST_F(BusAccounting, AnotherTypeOnTheChannelIsADecodeFailure) {
@@ -132,10 +148,10 @@ TEST_F(BusAccounting, ImpossibleTimesSessionsAndNumbersAreRefused) {
 TEST_F(BusAccounting, AnswerThatNamesAnotherTimeThanItsFramesIsRefused) {
   Bus bus(parameters());
   int handled = 0;
-  bus.on_each<TargetPose>("TARGET_POSE", [&handled](const TargetPose&) { ++handled; });
+  bus.on_each(channels::kTargetPose, [&handled](const TargetPose&) { ++handled; });
   TargetPose pose{};
   pose.utime = pose.frame_utime = 1000;
-  auto publisher = bus.advertise<TargetPose>("TARGET_POSE");
+  auto publisher = bus.advertise(channels::kTargetPose);
   publisher.publish(pose);
   pose.utime = 2000;
   EXPECT_THROW(publisher.publish(pose), std::invalid_argument);
@@ -156,8 +172,8 @@ TEST_F(BusAccounting, MessageFromTheFutureIsRefused) {
 
 TEST_F(BusAccounting, HandlerThatThrowsEndsNothing) {
   Bus bus(parameters());
-  bus.on_each<JointState>("JOINT_STATE", [](const JointState&) { throw std::runtime_error("cannot"); });
-  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  bus.on_each(channels::kJointState, [](const JointState&) { throw std::runtime_error("cannot"); });
+  auto publisher = bus.advertise(channels::kJointState);
   auto state = joint_state(1);
   publisher.publish(state);
   settle(bus);
@@ -166,10 +182,10 @@ TEST_F(BusAccounting, HandlerThatThrowsEndsNothing) {
 
 TEST_F(BusAccounting, AgeAndLatencyFollowTheNewestUtime) {
   Bus bus(parameters());
-  bus.on_each<JointState>("FAST", [](const JointState&) {});
-  bus.on_each<JointState>("SLOW", [](const JointState&) {});
-  auto fast = bus.advertise<JointState>("FAST");
-  auto slow = bus.advertise<JointState>("SLOW");
+  bus.on_each(made_up<JointState>("FAST"), [](const JointState&) {});
+  bus.on_each(made_up<JointState>("SLOW"), [](const JointState&) {});
+  auto fast = bus.advertise(made_up<JointState>("FAST"));
+  auto slow = bus.advertise(made_up<JointState>("SLOW"));
   auto early = joint_state(1'000'000);
   auto late = joint_state(1'500'000);
   fast.publish(late);
@@ -197,7 +213,7 @@ TEST_F(BusAccounting, HeartbeatTellsStateOnceASecondAndOnChange) {
   with_heartbeat.config_hash = 99;
   Bus bus(with_heartbeat);
   std::vector<ServiceStatus> seen;
-  bus.on_each_from_many<ServiceStatus>("SERVICE_STATUS", [&](const ServiceStatus& status) { seen.push_back(status); });
+  bus.on_each(channels::kServiceStatus, [&](const ServiceStatus& status) { seen.push_back(status); });
   bus.set_state("ready");
   bus.set_state("ready");
   bus.set_state("waiting", "no camera");

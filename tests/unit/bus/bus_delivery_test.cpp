@@ -11,8 +11,8 @@ using BusDelivery = BusTest;
 TEST_F(BusDelivery, LatestHandsOverOnlyTheNewestAndCountsTheRest) {
   Bus bus(parameters());
   std::vector<int64_t> seen;
-  bus.on_latest<JointState>("JOINT_STATE", [&](const JointState& state) { seen.push_back(state.utime); });
-  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  bus.on_latest(channels::kJointState, [&](const JointState& state) { seen.push_back(state.utime); });
+  auto publisher = bus.advertise(channels::kJointState);
   for (int64_t utime = 1; utime <= 5; ++utime) {
     auto state = joint_state(utime);
     publisher.publish(state);
@@ -26,8 +26,8 @@ TEST_F(BusDelivery, LatestHandsOverOnlyTheNewestAndCountsTheRest) {
 TEST_F(BusDelivery, EachHandsOverAllInOrder) {
   Bus bus(parameters());
   std::vector<int64_t> seen;
-  bus.on_each<JointState>("JOINT_STATE", [&](const JointState& state) { seen.push_back(state.utime); });
-  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  bus.on_each(channels::kJointState, [&](const JointState& state) { seen.push_back(state.utime); });
+  auto publisher = bus.advertise(channels::kJointState);
   for (int64_t utime = 1; utime <= 5; ++utime) {
     auto state = joint_state(utime);
     publisher.publish(state);
@@ -40,8 +40,8 @@ TEST_F(BusDelivery, EachHandsOverAllInOrder) {
 TEST_F(BusDelivery, NoMessageCarriesAnythingOfTheOneBefore) {
   Bus bus(parameters());
   std::vector<std::vector<double>> seen;
-  bus.on_each<JointState>("JOINT_STATE", [&](const JointState& state) { seen.push_back(state.position); });
-  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  bus.on_each(channels::kJointState, [&](const JointState& state) { seen.push_back(state.position); });
+  auto publisher = bus.advertise(channels::kJointState);
   const std::vector<std::vector<double>> sent{{1.0, 2.0, 3.0}, {}, {4.0}, {5.0, 6.0}};
   for (const std::vector<double>& position : sent) {
     auto state = joint_state(1);
@@ -57,10 +57,10 @@ TEST_F(BusDelivery, NoMessageCarriesAnythingOfTheOneBefore) {
 TEST_F(BusDelivery, WaitingMessagesComeInTheOrderOfSubscription) {
   Bus bus(parameters());
   std::string order;
-  bus.on_latest<StopState>("STOP_STATE", [&](const StopState&) { order += "stop "; });
-  bus.on_latest<JointState>("JOINT_STATE", [&](const JointState&) { order += "joints "; });
-  auto joints = bus.advertise<JointState>("JOINT_STATE");
-  auto stops = bus.advertise<StopState>("STOP_STATE");
+  bus.on_latest(channels::kStopState, [&](const StopState&) { order += "stop "; });
+  bus.on_latest(channels::kJointState, [&](const JointState&) { order += "joints "; });
+  auto joints = bus.advertise(channels::kJointState);
+  auto stops = bus.advertise(channels::kStopState);
   auto state = joint_state(1);
   StopState stop{};
   joints.publish(state);
@@ -72,8 +72,8 @@ TEST_F(BusDelivery, WaitingMessagesComeInTheOrderOfSubscription) {
 TEST_F(BusDelivery, RobotNamePrefixesAllChannels) {
   Bus bus(parameters("arm+1"));  // a name with a character that regular expressions know
   int seen = 0;
-  bus.on_each<JointState>("JOINT_STATE", [&](const JointState&) { ++seen; });
-  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  bus.on_each(channels::kJointState, [&](const JointState&) { ++seen; });
+  auto publisher = bus.advertise(channels::kJointState);
   auto state = joint_state(1);
   publisher.publish(state);
   settle(bus);
@@ -84,8 +84,8 @@ TEST_F(BusDelivery, RobotNamePrefixesAllChannels) {
 TEST_F(BusDelivery, PublisherFillsSessionAndSeq) {
   Bus bus(parameters());
   std::vector<JointState> seen;
-  bus.on_each<JointState>("JOINT_STATE", [&](const JointState& state) { seen.push_back(state); });
-  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  bus.on_each(channels::kJointState, [&](const JointState& state) { seen.push_back(state); });
+  auto publisher = bus.advertise(channels::kJointState);
   auto state = joint_state(1);
   publisher.publish(state);
   publisher.publish(state);
@@ -99,8 +99,8 @@ TEST_F(BusDelivery, PublisherFillsSessionAndSeq) {
 TEST_F(BusDelivery, MessageThatBreaksItsRulesIsNotSent) {
   Bus bus(parameters());
   int seen = 0;
-  bus.on_each<JointState>("JOINT_STATE", [&](const JointState&) { ++seen; });
-  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  bus.on_each(channels::kJointState, [&](const JointState&) { ++seen; });
+  auto publisher = bus.advertise(channels::kJointState);
   auto state = joint_state(1);
   state.num_joints = 1;  // but no position
   EXPECT_THROW(publisher.publish(state), std::invalid_argument);
@@ -113,8 +113,8 @@ TEST_F(BusDelivery, MessageThatBreaksItsRulesIsNotSent) {
 
 TEST_F(BusDelivery, NowIsTheNewestUtimeOfAnyChannel) {
   Bus bus(parameters());
-  bus.on_each<JointState>("JOINT_STATE", [](const JointState&) {});
-  auto publisher = bus.advertise<JointState>("JOINT_STATE");
+  bus.on_each(channels::kJointState, [](const JointState&) {});
+  auto publisher = bus.advertise(channels::kJointState);
   for (const int64_t utime : {3000, 9000, 6000}) {
     auto state = joint_state(utime);
     publisher.publish(state);

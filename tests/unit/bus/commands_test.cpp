@@ -50,13 +50,13 @@ TEST(RepeatTimer, IsDueWhenTimeWentBack) {
 // What a restarted service relies on: a goal repeated with the same id is heard again without being another goal.
 TEST_F(BusTest, LatecomerLearnsARepeatedGoal) {
   Bus bus(parameters());
-  auto goals = bus.advertise<JointState>("GOAL");
+  auto goals = bus.advertise(made_up<JointState>("GOAL"));
   RepeatTimer timer(kStateRepeat_us);
   auto goal = joint_state(0);
   if (timer.due(0)) goals.publish(goal);  // nobody listens yet
   settle(bus);
   int heard = 0;
-  bus.on_each<JointState>("GOAL", [&](const JointState&) { ++heard; });
+  bus.on_each(made_up<JointState>("GOAL"), [&](const JointState&) { ++heard; });
   for (int64_t utime = 0; utime <= 400'000; utime += 50'000) {
     if (timer.due(utime)) goals.publish(goal);
   }

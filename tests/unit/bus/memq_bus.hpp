@@ -20,6 +20,12 @@ inline BusParameters memq_parameters(const std::string& service_name) {
   return parameters;
 }
 
+// A channel that the table does not have.
+template <class M>
+constexpr channels::Channel<M> made_up(const char* name) {
+  return channels::Channel<M>(channels::Entry{name});
+}
+
 // Handles all that waits, and the answers to it.
 inline void settle(Bus& bus) {
   for (int i = 0; i < 8; ++i) bus.poll(std::chrono::milliseconds(0));

@@ -40,8 +40,8 @@ class NodeOnABus : public ::testing::Test {
 
   // All that comes on `channel` from now on.
   template <class M>
-  void collect(const std::string& channel, std::vector<M>& messages) {
-    bus_.on_each<M>(channel, [&messages](const M& message) { messages.push_back(message); });
+  void collect(const channels::Channel<M>& channel, std::vector<M>& messages) {
+    bus_.on_each(channel, [&messages](const M& message) { messages.push_back(message); });
   }
 
   // Publishes, and handles all that follows from it.

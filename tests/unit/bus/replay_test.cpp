@@ -46,8 +46,8 @@ class Replay : public BusTest {
 
   void run_through(const std::string& out) const {
     Bus bus(from_log(out));
-    auto publisher = bus.advertise<JointState>("ECHO");
-    bus.on_latest<JointState>("JOINT_STATE", [&](const JointState& state) {
+    auto publisher = bus.advertise(made_up<JointState>("ECHO"));
+    bus.on_latest(channels::kJointState, [&](const JointState& state) {
       auto echo = joint_state(state.utime * 2);
       publisher.publish(echo);
     });

@@ -43,8 +43,8 @@ class Drive : public ::testing::Test {
   }
 
   bus::Bus bus_{bus::memq_parameters("experiment")};
-  bus::Publisher<SimBaseTruth> truths_ = bus_.advertise<SimBaseTruth>("SIM_BASE_TRUTH");
-  bus::Publisher<RobotPose> poses_ = bus_.advertise<RobotPose>("ROBOT_POSE");
+  bus::Publisher<SimBaseTruth> truths_ = bus_.advertise(channels::kSimBaseTruth);
+  bus::Publisher<RobotPose> poses_ = bus_.advertise(channels::kRobotPose);
   DriveWatch watch_{bus_};
   SimBaseTruth truth_{};
   int64_t utime_ = 1'000'000;

@@ -119,10 +119,10 @@ TEST_F(Silence, EndsWithTheWorld) {
 TEST(StaleDriveWatch, HearsEachChannelAlone) {
   bus::Bus bus(bus::memq_parameters("experiment"));
   StaleDriveWatch watch(bus);
-  auto truths = bus.advertise<SimBaseTruth>("SIM_BASE_TRUTH");
-  auto poses = bus.advertise<RobotPose>("ROBOT_POSE");
-  auto commands = bus.advertise<BaseCommand>("BASE_COMMAND");
-  auto goals = bus.advertise<BaseGoal>("BASE_GOAL");
+  auto truths = bus.advertise(channels::kSimBaseTruth);
+  auto poses = bus.advertise(channels::kRobotPose);
+  auto commands = bus.advertise(channels::kBaseCommand);
+  auto goals = bus.advertise(channels::kBaseGoal);
   SimBaseTruth truth{};
   truth.speed = 0.4;
   for (int i = 1; i <= 200; ++i) {

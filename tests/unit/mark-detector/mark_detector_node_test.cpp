@@ -90,8 +90,8 @@ class NodeOnBus {
 
 class LiveNode : public ::testing::Test {
  protected:
-  LiveNode() : on_bus_({"memq://", "memq://"}), frames_(on_bus_.bus().advertise<StereoFrame>("STEREO_FRAME")) {
-    on_bus_.bus().on_each<MarkDetection>("MARK_DETECTION", [this](const MarkDetection& m) { answers_.push_back(m); });
+  LiveNode() : on_bus_({"memq://", "memq://"}), frames_(on_bus_.bus().advertise(channels::kStereoFrame)) {
+    on_bus_.bus().on_each(channels::kMarkDetection, [this](const MarkDetection& m) { answers_.push_back(m); });
   }
   void send(StereoFrame frame) {
     frames_.publish(frame);

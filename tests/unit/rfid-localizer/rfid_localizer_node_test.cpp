@@ -22,7 +22,7 @@ class RfidLocalizerOnABus : public bus::NodeOnABus<RfidLocalizerNode> {
 
   void start(const std::string& options = "") {
     start_node(options);
-    collect("ROBOT_POSE", poses_);
+    collect(channels::kRobotPose, poses_);
   }
 
   // The drive's messages up to `time` (s), in order.
@@ -46,8 +46,8 @@ class RfidLocalizerOnABus : public bus::NodeOnABus<RfidLocalizerNode> {
     return message;
   }
 
-  bus::Publisher<RfidTagHits> hits_ = bus_.advertise<RfidTagHits>("RFID_TAG_HITS");
-  bus::Publisher<WheelOdometry> odometry_ = bus_.advertise<WheelOdometry>("WHEEL_ODOMETRY");
+  bus::Publisher<RfidTagHits> hits_ = bus_.advertise(channels::kRfidTagHits);
+  bus::Publisher<WheelOdometry> odometry_ = bus_.advertise(channels::kWheelOdometry);
   IdealDrive drive_{robot::load_robot_description(bus::kRobotFile)};
   std::int64_t ticks_ = 0;
   double time_ = 0.0;

@@ -79,22 +79,21 @@ class Client {
  public:
   Client()
       : bus_(parameters()),
-        commands_(bus_.advertise<JointCommand>("JOINT_COMMAND")),
-        base_commands_(bus_.advertise<BaseCommand>("BASE_COMMAND")),
-        stops_(bus_.advertise<StopRequest>("STOP")),
-        controls_(bus_.advertise<SimControl>("SIM_CONTROL")) {
-    bus_.on_each<SimTruth>("SIM_TRUTH", [this](const SimTruth& message) { truths.push_back(message); });
-    bus_.on_each<StereoFrame>("STEREO_FRAME", [this](const StereoFrame& message) { frames.push_back(message); });
-    bus_.on_each<JointState>("JOINT_STATE", [this](const JointState& message) { joints.push_back(message); });
-    bus_.on_each<WheelOdometry>("WHEEL_ODOMETRY", [this](const WheelOdometry& message) {
+        commands_(bus_.advertise(channels::kJointCommand)),
+        base_commands_(bus_.advertise(channels::kBaseCommand)),
+        stops_(bus_.advertise(channels::kStop)),
+        controls_(bus_.advertise(channels::kSimControl)) {
+    bus_.on_each(channels::kSimTruth, [this](const SimTruth& message) { truths.push_back(message); });
+    bus_.on_each(channels::kStereoFrame, [this](const StereoFrame& message) { frames.push_back(message); });
+    bus_.on_each(channels::kJointState, [this](const JointState& message) { joints.push_back(message); });
+    bus_.on_each(channels::kWheelOdometry, [this](const WheelOdometry& message) {
       odometries.push_back(message);
       if (driver) answer_odometry(message, driver(message));
     });
-    bus_.on_each<SimBaseTruth>("SIM_BASE_TRUTH",
-                               [this](const SimBaseTruth& message) { base_truths.push_back(message); });
-    bus_.on_each<SonarScan>("SONAR_SCAN", [this](const SonarScan& message) { scans.push_back(message); });
-    bus_.on_each<RfidTagHits>("RFID_TAG_HITS", [this](const RfidTagHits& message) { rounds.push_back(message); });
-    bus_.on_each<StopState>("STOP_STATE", [this](const StopState& message) { stop_states.push_back(message); });
+    bus_.on_each(channels::kSimBaseTruth, [this](const SimBaseTruth& message) { base_truths.push_back(message); });
+    bus_.on_each(channels::kSonarScan, [this](const SonarScan& message) { scans.push_back(message); });
+    bus_.on_each(channels::kRfidTagHits, [this](const RfidTagHits& message) { rounds.push_back(message); });
+    bus_.on_each(channels::kStopState, [this](const StopState& message) { stop_states.push_back(message); });
   }
 
   std::vector<SimTruth> truths;

@@ -39,7 +39,7 @@ TEST_F(StereoCameraOnALiveBus, PacesPicturesByTheRate) {
   configure({"--left", path, "--right", path, "--rate", "50", "--loop", "--count", "4"});
   bus::Bus bus(bus::memq_parameters("stereo-camera"));
   std::vector<StereoFrame> frames;
-  bus.on_each<StereoFrame>("STEREO_FRAME", [&](const StereoFrame& frame) { frames.push_back(frame); });
+  bus.on_each(channels::kStereoFrame, [&](const StereoFrame& frame) { frames.push_back(frame); });
   node_.start(bus);
   node_.run(bus);
   bus.poll(std::chrono::milliseconds(0));

@@ -74,10 +74,9 @@ class TargetLocatorOnABus : public testing::Test {
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
     app_.parse(arguments);
     node_.configure(kRobotFile);
-    detections_.emplace(bus_.advertise<MarkDetection>("MARK_DETECTION"));
-    bus_.on_each<TargetPose>("TARGET_POSE", [this](const TargetPose& pose) { poses_.push_back(pose); });
-    bus_.on_each<StereoMatches>("STEREO_MATCHES",
-                                [this](const StereoMatches& matches) { matches_.push_back(matches); });
+    detections_.emplace(bus_.advertise(channels::kMarkDetection));
+    bus_.on_each(channels::kTargetPose, [this](const TargetPose& pose) { poses_.push_back(pose); });
+    bus_.on_each(channels::kStereoMatches, [this](const StereoMatches& matches) { matches_.push_back(matches); });
     node_.start(bus_);
   }
 

@@ -20,9 +20,9 @@ class TaskManagerOnABus : public bus::NodeOnABus<TaskManagerNode> {
  protected:
   TaskManagerOnABus() : NodeOnABus("task-manager") {
     start_node();
-    collect("TASK_STATE", states_);
-    collect("SERVO_GOAL", goals_);
-    collect("BASE_GOAL", base_goals_);
+    collect(channels::kTaskState, states_);
+    collect(channels::kServoGoal, goals_);
+    collect(channels::kBaseGoal, base_goals_);
   }
 
   void tell_stop(bool latched, const std::string& device = "arm") {
@@ -106,12 +106,12 @@ class TaskManagerOnABus : public bus::NodeOnABus<TaskManagerNode> {
   }
 
   const std::vector<std::string> others_ = stop_devices_but_the_arm();  // they always speak
-  bus::Publisher<TaskCommand> commands_ = bus_.advertise<TaskCommand>("TASK_COMMAND");
-  bus::Publisher<StopState> stops_ = bus_.advertise<StopState>("STOP_STATE");
-  bus::Publisher<JointState> joints_ = bus_.advertise<JointState>("JOINT_STATE");
-  bus::Publisher<TargetPose> poses_ = bus_.advertise<TargetPose>("TARGET_POSE");
-  bus::Publisher<ServoStatus> statuses_ = bus_.advertise<ServoStatus>("SERVO_STATUS");
-  bus::Publisher<BaseStatus> base_statuses_ = bus_.advertise<BaseStatus>("BASE_STATUS");
+  bus::Publisher<TaskCommand> commands_ = bus_.advertise(channels::kTaskCommand);
+  bus::Publisher<StopState> stops_ = bus_.advertise(channels::kStopState);
+  bus::Publisher<JointState> joints_ = bus_.advertise(channels::kJointState);
+  bus::Publisher<TargetPose> poses_ = bus_.advertise(channels::kTargetPose);
+  bus::Publisher<ServoStatus> statuses_ = bus_.advertise(channels::kServoStatus);
+  bus::Publisher<BaseStatus> base_statuses_ = bus_.advertise(channels::kBaseStatus);
   std::vector<TaskState> states_;
   std::vector<ServoGoal> goals_;
   std::vector<BaseGoal> base_goals_;

@@ -20,10 +20,10 @@ class OperatorOnABus : public ::testing::Test {
  protected:
   OperatorOnABus()
       : bus_(bus::memq_parameters("task-operator")),
-        stop_states_(bus_.advertise<StopState>("STOP_STATE")),
-        task_states_(bus_.advertise<TaskState>("TASK_STATE")) {
-    bus_.on_each_from_many<StopRequest>("STOP", [this](const StopRequest& request) { answer(request); });
-    bus_.on_each_from_many<TaskCommand>("TASK_COMMAND", [this](const TaskCommand& command) { answer(command); });
+        stop_states_(bus_.advertise(channels::kStopState)),
+        task_states_(bus_.advertise(channels::kTaskState)) {
+    bus_.on_each(channels::kStop, [this](const StopRequest& request) { answer(request); });
+    bus_.on_each(channels::kTaskCommand, [this](const TaskCommand& command) { answer(command); });
     bus_.every(std::chrono::milliseconds(20), [this] { speak(); });
     bus_.every(std::chrono::seconds(60), [this] { bus_.stop(); });  // only a failure waits so long
   }

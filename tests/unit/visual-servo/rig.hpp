@@ -22,8 +22,9 @@ class Rig : public testing::Test {
     machine_.observe_stop(false, "", state_);
   }
 
-  static Goal servo_goal(std::int64_t id = 1) {
+  Goal servo_goal(std::int64_t id = 1) const {
     Goal goal;
+    goal.utime = state_.joints.empty() ? 0 : state_.joints.newest().utime;
     goal.session = 5;
     goal.id = id;
     goal.kind = GoalKind::kServo;
@@ -34,7 +35,7 @@ class Rig : public testing::Test {
     return goal;
   }
 
-  static Goal posture_goal(const JointVector& q, std::int64_t id = 1) {
+  Goal posture_goal(const JointVector& q, std::int64_t id = 1) const {
     Goal goal = servo_goal(id);
     goal.kind = GoalKind::kPosture;
     goal.position = {q[0], q[1], q[2]};

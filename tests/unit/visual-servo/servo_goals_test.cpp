@@ -12,8 +12,9 @@ constexpr double kDegree = 0.017453292519943295;
 class ServoGoals : public Rig {
  protected:
   // The goal's refusal, with the arm at rest where it started.
-  std::string refusal(const Goal& goal) {
+  std::string refusal(Goal goal) {
     frame();
+    goal.utime = state_.joints.newest().utime;
     machine_.observe(goal, state_);
     const Output output = frames(5);
     EXPECT_EQ(output.status.state, ServoState::kUnreachable);

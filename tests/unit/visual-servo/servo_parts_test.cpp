@@ -12,10 +12,9 @@ namespace {
 const Eigen::Matrix3d kCovariance = Eigen::Matrix3d::Identity() * 4e-8;
 const JointVector kServoSpeed = JointVector::Constant(5.2);
 
-JointSample sample_at(std::int64_t utime, double yaw, std::int64_t session = 1) {
+JointSample sample_at(std::int64_t utime, double yaw) {
   JointSample sample;
   sample.utime = utime;
-  sample.session = session;
   sample.position = {yaw, 0.0, 0.0};
   return sample;
 }
@@ -28,14 +27,21 @@ TEST(JointHistory, InterpolatesAtTheExposure) {
   EXPECT_NEAR(history.at(990'000)[0], 0.1, 1e-12);
 }
 
-TEST(JointHistory, BeginsAnewWithANewWriterAnOldClockOrALeap) {
+TEST(JointHistory, BeginsAnewWithALeap) {
   JointHistory history;
   EXPECT_FALSE(history.add(sample_at(1'000'000, 0.1), kServoSpeed));
   EXPECT_FALSE(history.add(sample_at(1'010'000, 0.12), kServoSpeed));
-  EXPECT_TRUE(history.add(sample_at(1'020'000, 0.14, 2), kServoSpeed));
-  EXPECT_TRUE(history.add(sample_at(1'000'000, 0.14, 2), kServoSpeed));
-  EXPECT_TRUE(history.add(sample_at(1'010'000, 1.0, 2), kServoSpeed));
+  EXPECT_TRUE(history.add(sample_at(1'020'000, 1.0), kServoSpeed));
   EXPECT_EQ(history.at(0)[0], 1.0);
+  EXPECT_EQ(history.span(), 0.0);
+}
+
+TEST(JointHistory, PassesOverWhatIsNotNewer) {
+  JointHistory history;
+  history.add(sample_at(1'000'000, 0.1), kServoSpeed);
+  EXPECT_FALSE(history.add(sample_at(990'000, 0.5), kServoSpeed));
+  EXPECT_FALSE(history.add(sample_at(1'000'000, 0.5), kServoSpeed));
+  EXPECT_EQ(history.newest().position[0], 0.1);
 }
 
 TEST(JointHistory, KnowsSinceWhenTheArmIsThere) {

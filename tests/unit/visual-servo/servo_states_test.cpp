@@ -50,7 +50,7 @@ TEST_F(ServoStates, APictureThatIsTooOldMovesNothing) {
   const Output output = machine_.step(old, state_);
   EXPECT_EQ(output.status.state, ServoState::kStale);
   EXPECT_EQ(output.command->position, before.command->position);
-  EXPECT_NE(output.status.reason.find("TARGET_POSE is older"), std::string::npos);
+  EXPECT_NE(output.status.reason.find("TARGET_POSE is 0.25 s older"), std::string::npos);
 }
 
 TEST_F(ServoStates, WithoutFreshJointStatesNothingMoves) {
@@ -61,7 +61,7 @@ TEST_F(ServoStates, WithoutFreshJointStatesNothingMoves) {
   const Output output = machine_.step(pose, state_);
   EXPECT_EQ(output.status.state, ServoState::kStale);
   EXPECT_EQ(output.command->position, before.command->position);
-  EXPECT_NE(output.status.reason.find("JOINT_STATE is older"), std::string::npos);
+  EXPECT_NE(output.status.reason.find("TARGET_POSE is 0.35 s newer"), std::string::npos);
 }
 
 TEST_F(ServoStates, TheSamePictureTwiceMovesOnce) {
@@ -209,7 +209,7 @@ TEST_F(ServoStates, HoldSlowsDownAndStays) {
 
 TEST_F(ServoStates, AnOlderGoalOfTheSameSessionIsPassedOver) {
   machine_.observe(servo_goal(4), state_);
-  EXPECT_FALSE(machine_.observe(servo_goal(3), state_));
+  EXPECT_EQ(machine_.observe(servo_goal(3), state_), motion::GoalHeard::kEnded);
   EXPECT_EQ(state_.goal->id, 4);
 }
 

@@ -55,6 +55,7 @@ Trial run(const robot::RobotDescription& robot, const ServoStateMachine& machine
   machine.observe_stop(false, "", state);
   for (int frame = 0; frame < 6; ++frame) step_once(arm, machine, state);  // the stack runs before the goal comes
   Goal goal;
+  goal.utime = state.joints.newest().utime;
   goal.session = 1;
   goal.id = 1;
   goal.kind = GoalKind::kServo;

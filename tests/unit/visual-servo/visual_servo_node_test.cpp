@@ -20,8 +20,8 @@ class VisualServoOnABus : public bus::NodeOnABus<VisualServoNode> {
  protected:
   VisualServoOnABus() : NodeOnABus("visual-servo") {
     start_node();
-    collect("JOINT_COMMAND", commands_);
-    collect("SERVO_STATUS", statuses_);
+    collect(channels::kJointCommand, commands_);
+    collect(channels::kServoStatus, statuses_);
   }
 
   void tell_stop(bool latched, const std::string& device = "arm") {
@@ -64,10 +64,10 @@ class VisualServoOnABus : public bus::NodeOnABus<VisualServoNode> {
     tell_pose();
   }
 
-  bus::Publisher<StopState> stops_ = bus_.advertise<StopState>("STOP_STATE");
-  bus::Publisher<JointState> joints_ = bus_.advertise<JointState>("JOINT_STATE");
-  bus::Publisher<ServoGoal> goals_ = bus_.advertise<ServoGoal>("SERVO_GOAL");
-  bus::Publisher<TargetPose> poses_ = bus_.advertise<TargetPose>("TARGET_POSE");
+  bus::Publisher<StopState> stops_ = bus_.advertise(channels::kStopState);
+  bus::Publisher<JointState> joints_ = bus_.advertise(channels::kJointState);
+  bus::Publisher<ServoGoal> goals_ = bus_.advertise(channels::kServoGoal);
+  bus::Publisher<TargetPose> poses_ = bus_.advertise(channels::kTargetPose);
   std::int64_t utime_ = 1'700'000'000'000'000;
   std::int64_t frame_seq_ = 0;
   std::vector<JointCommand> commands_;

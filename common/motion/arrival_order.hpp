@@ -1,0 +1,57 @@
+#pragma once
+
+// Whether a message of one writer comes in its turn. UDP, bridges and bad links deliver late, twice and out of order;
+// that is no new beginning, while a clock that was set back is one.
+
+#include <cstdint>
+
+#include "common/motion/stamp.hpp"
+
+namespace markservo::motion {
+
+enum class Arrival {
+  kNext,    // goes on from the one before, or is the first
+  kLate,    // comes late, twice or out of turn: to be dropped
+  kAnew,    // the writer's numbers or its clock began anew: what is known of before no longer holds
+  kDouble,  // numbered as an earlier one, yet of a later time: two write with one session
+};
+
+struct ArrivalParameters {
+  double clock_step = 1.0;  // s; a time so far back, under a growing number, is a clock that was set back
+  int run = 3;              // messages out of turn, each above the one before, that are a new beginning
+};
+
+// One writer's messages on one channel. The session is the caller's matter.
+//
+// | number      | time                 | verdict                               |
+// | ----------- | -------------------- | ------------------------------------- |
+// | above       | at or above the last | next                                  |
+// | above       | below, by up to 1 s  | late                                  |
+// | above       | below, by more       | anew                                  |
+// | not above   | not above            | late                                  |
+// | not above   | above                | double                                |
+// | the third late one in a row, each above the one before in both | | anew |
+class ArrivalOrder {
+ public:
+  explicit ArrivalOrder(ArrivalParameters parameters = {}) : parameters_(parameters) {}
+
+  Arrival judge(const Stamp& stamp);
+
+  bool empty() const { return empty_; }
+  // The newest one that was in turn; meaningless while empty.
+  const Stamp& last() const { return last_; }
+  // Nothing is known of the writer any more.
+  void forget() { *this = ArrivalOrder(parameters_); }
+
+ private:
+  Arrival take(const Stamp& stamp, Arrival arrival);
+  Arrival out_of_turn(const Stamp& stamp);
+
+  ArrivalParameters parameters_;
+  bool empty_ = true;
+  Stamp last_;
+  int run_ = 0;  // late ones in a row, each above the one before
+  Stamp run_last_;
+};
+
+}  // namespace markservo::motion

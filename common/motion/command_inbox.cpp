@@ -1,0 +1,27 @@
+#include "common/motion/command_inbox.hpp"
+
+#include <algorithm>
+
+namespace markservo::motion {
+namespace {
+
+// As many as a hostile one may make us remember. A forgotten sender's command could be executed again only while it is
+// fresh, so this many within 2 s would be needed.
+constexpr std::size_t kSenders = 4096;
+
+}  // namespace
+
+CommandHeard CommandInbox::hear(const CommandStamp& command, std::int64_t now, bool always) {
+  const auto sender = std::find_if(senders_.begin(), senders_.end(),
+                                   [&command](const Sender& one) { return one.session == command.session; });
+  if (sender != senders_.end() && command.id <= sender->last_id) return CommandHeard::kAgain;
+  if (!always && !why_stale(command, now).empty()) return CommandHeard::kStale;
+  if (sender != senders_.end()) senders_.erase(sender);
+  senders_.push_back({command.session, command.id});
+  if (senders_.size() > kSenders) senders_.pop_front();
+  session_ = command.session;
+  id_ = command.id;
+  return CommandHeard::kExecute;
+}
+
+}  // namespace markservo::motion

@@ -1,0 +1,99 @@
+#include "common/motion/goal_inbox.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/motion/sole_writer.hpp"
+#include "common/time/seconds_between.hpp"
+
+namespace markservo::motion {
+namespace {
+
+constexpr std::size_t kSenders = 64;  // as many as a hostile one may make us remember
+
+// Whether a repetition at `utime` tells more of the goal's age than the one at `known`. The later one does, unless it
+// is ahead of the clock by more than the other is behind: a clock that went back leaves such times.
+bool fresher(std::int64_t utime, std::int64_t known, std::int64_t now) {
+  if (now == 0) return utime > known;
+  return std::abs(seconds_between(utime, now)) < std::abs(seconds_between(known, now));
+}
+
+bool within(double age, std::int64_t from, std::int64_t to) {
+  return std::abs(seconds_between(from, to)) <= age;
+}
+
+}  // namespace
+
+GoalHeard GoalInbox::hear(const GoalStamp& goal, std::int64_t now, double age, bool latched) {
+  if (now != 0 && !within(age, goal.utime, now)) return GoalHeard::kStale;
+  const std::int64_t moment = now != 0 ? now : goal.utime;
+  const bool second_spoke = second_.has_value() && second_->session != goal.session;
+  if (!has_floor(goal, moment, age)) return GoalHeard::kSecond;
+  // Both spoke before either had repeated itself for long: nobody knows who was first.
+  const bool unknown_first = holder_is_first_ && second_spoke && within(age, holder_since_, moment);
+  if (unknown_first) {
+    end();
+    return GoalHeard::kContested;
+  }
+  if (goal_ && goal.session == goal_->session && goal.id == goal_->id) {
+    if (fresher(goal.utime, goal_->utime, now)) goal_->utime = goal.utime;
+    return GoalHeard::kAgain;
+  }
+  if (heard_before(goal)) return GoalHeard::kEnded;
+  remember(goal);
+  if (latched) return GoalHeard::kEnded;
+  goal_ = goal;
+  return GoalHeard::kNew;
+}
+
+bool GoalInbox::has_floor(const GoalStamp& goal, std::int64_t now, double age) {
+  if (goal.session != holder_) {
+    holder_heard_at_ = std::min(holder_heard_at_, now);  // a clock that went back
+    if (holder_ != 0 && seconds_between(holder_heard_at_, now) <= age) {
+      second_ = Second{goal.session, now};
+      return false;
+    }
+    holder_is_first_ = holder_ == 0;
+    holder_ = goal.session;
+    holder_since_ = now;
+    second_.reset();
+  }
+  holder_heard_at_ = now;
+  return true;
+}
+
+void GoalInbox::remember(const GoalStamp& goal) {
+  const auto known = std::find_if(senders_.begin(), senders_.end(),
+                                  [&goal](const Sender& sender) { return sender.session == goal.session; });
+  if (known != senders_.end()) senders_.erase(known);
+  senders_.push_back({goal.session, goal.id});
+  if (senders_.size() > kSenders) senders_.pop_front();
+}
+
+bool GoalInbox::heard_before(const GoalStamp& goal) const {
+  return std::any_of(senders_.begin(), senders_.end(), [&goal](const Sender& sender) {
+    return sender.session == goal.session && goal.id <= sender.last_id;
+  });
+}
+
+bool GoalInbox::end_unless_fresh(std::int64_t now, double age) {
+  if (!goal_ || fresh(now, age)) return false;
+  end();
+  return true;
+}
+
+bool GoalInbox::fresh(std::int64_t now, double age) const {
+  return goal_ && within(age, goal_->utime, now);
+}
+
+std::string GoalInbox::two() const {
+  return two_write(channel_, holder_, second_ ? second_->session : 0);
+}
+
+std::string GoalInbox::second(std::int64_t now, double age) const {
+  if (!second_ || !within(age, second_->heard_at, now)) return "";
+  return "a second one sends " + channel_ + ": session " + std::to_string(second_->session) + " is not obeyed, " +
+         std::to_string(holder_) + " is";
+}
+
+}  // namespace markservo::motion

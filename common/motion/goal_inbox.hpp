@@ -1,0 +1,84 @@
+#pragma once
+
+// Which goal is followed: one that its sender repeats, that is fresh, and that nothing has ended.
+//
+// Goals are repeated at 5 Hz. Each sender's are told apart by growing ids, and a goal is new once: what a later goal, a
+// stop or another beginning has ended stays ended, though it is repeated. The first sender keeps the floor while it
+// repeats; a second one is named and ignored, and may take the floor once the first has been silent for goal_age.
+//
+// | state   | heard                                                     | then                           |
+// | ------- | --------------------------------------------------------- | ------------------------------ |
+// | any     | a goal too old or too far ahead                           | stale; it may come again fresh |
+// | any     | of another sender while the floor's holder repeats        | second                         |
+// | any     | an id that was replaced or ended                          | ended                          |
+// | latched | any other                                                 | ended at once                  |
+// | follows | the id that is followed                                   | again: renewed                 |
+// | any     | any other                                                 | new: followed                  |
+// | any     | the first sender again after a second, when neither was known to be first | contested: the caller stops
+// all |
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+namespace markservo::motion {
+
+// A goal, as far as the inbox needs to know it.
+struct GoalStamp {
+  std::int64_t session = 0;
+  std::int64_t id = 0;
+  std::int64_t utime = 0;  // us
+};
+
+enum class GoalHeard { kNew, kAgain, kStale, kSecond, kEnded, kContested };
+
+class GoalInbox {
+ public:
+  // `channel` for the words.
+  explicit GoalInbox(std::string channel) : channel_(std::move(channel)) {}
+
+  // `now`: us, the newest time of what moves; 0 before it has any: then a goal's age is judged later, by fresh().
+  // `age`: s either way from now within which a goal is fresh.
+  GoalHeard hear(const GoalStamp& goal, std::int64_t now, double age, bool latched);
+
+  // The goal, and all before it of its sender, will not be taken up again: a stop, or another beginning.
+  void end() { goal_.reset(); }
+  // Another beginning at `now` (us): likewise, but for a goal that is fresh then. True if one was ended.
+  bool end_unless_fresh(std::int64_t now, double age);
+
+  // The one that is followed; its utime is that of the repetition nearest to now.
+  const std::optional<GoalStamp>& goal() const { return goal_; }
+  // Whether that one is fresh at `now` (us).
+  bool fresh(std::int64_t now, double age) const;
+
+  // Which two send: of a contested floor.
+  std::string two() const;
+  // "a second one sends SERVO_GOAL: session 34 is not obeyed, 12 is"; empty when none did in the last `age` s.
+  std::string second(std::int64_t now, double age) const;
+
+ private:
+  struct Sender {
+    std::int64_t session;
+    std::int64_t last_id;  // of the goals taken from it
+  };
+  struct Second {
+    std::int64_t session = 0;
+    std::int64_t heard_at = 0;  // us, of now
+  };
+
+  bool has_floor(const GoalStamp& goal, std::int64_t now, double age);
+  bool heard_before(const GoalStamp& goal) const;
+  void remember(const GoalStamp& goal);
+
+  std::string channel_;
+  std::optional<GoalStamp> goal_;
+  std::deque<Sender> senders_;        // the one that last had a new goal comes last
+  std::int64_t holder_ = 0;           // session that has the floor
+  std::int64_t holder_since_ = 0;     // us, of now
+  std::int64_t holder_heard_at_ = 0;  // us, of now
+  bool holder_is_first_ = false;      // nobody had the floor before it
+  std::optional<Second> second_;
+};
+
+}  // namespace markservo::motion

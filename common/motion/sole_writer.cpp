@@ -1,0 +1,50 @@
+#include "common/motion/sole_writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/time/seconds_between.hpp"
+
+namespace markservo::motion {
+
+std::string two_write(const std::string& what, std::int64_t one, std::int64_t other) {
+  if (one == other) return "two write " + what + " with one session: " + std::to_string(one);
+  return "two write " + what + ": sessions " + std::to_string(one) + " and " + std::to_string(other);
+}
+
+Heard SoleWriter::hear(const Stamp& stamp, std::int64_t now) {
+  if (now == 0) now = stamp.utime;
+  if (session_ == 0) session_ = stamp.session;
+  if (stamp.session != session_) return hear_another(stamp, now);
+  const Arrival arrival = order_.judge(stamp);
+  if (arrival == Arrival::kLate) return Heard::kLate;
+  heard_at_ = now;
+  if (arrival == Arrival::kDouble) {
+    other_ = Other{stamp.session, stamp.utime, now};
+    return Heard::kSecond;
+  }
+  // What was under way when another took over may arrive after the other's first word.
+  if (other_ && stamp.utime > other_->first_utime) return Heard::kSecond;
+  return arrival == Arrival::kAnew ? Heard::kAnew : Heard::kTaken;
+}
+
+Heard SoleWriter::hear_another(const Stamp& stamp, std::int64_t now) {
+  heard_at_ = std::min(heard_at_, now);  // a clock that went back tells nothing of how long the floor was free
+  if (seconds_between(heard_at_, now) <= parameters_.floor) {
+    if (!other_ || other_->session != stamp.session) other_ = Other{stamp.session, stamp.utime, now};
+    other_->heard_at = now;
+    return Heard::kWaits;
+  }
+  session_ = stamp.session;
+  heard_at_ = now;
+  other_.reset();
+  order_.forget();
+  order_.judge(stamp);
+  return Heard::kAnew;
+}
+
+bool SoleWriter::alone(std::int64_t now) const {
+  return !other_ || std::abs(seconds_between(other_->heard_at, now)) > parameters_.alone;
+}
+
+}  // namespace markservo::motion

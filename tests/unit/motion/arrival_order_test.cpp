@@ -1,0 +1,84 @@
+// The table of arrival_order.hpp, walked through.
+
+#include "common/motion/arrival_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace markservo::motion {
+namespace {
+
+constexpr std::int64_t kSession = 7;
+constexpr std::int64_t kStart = 1'000'000'000;
+
+Stamp at(std::int64_t seq, std::int64_t ms) {
+  return {kSession, seq, kStart + 1000 * ms};
+}
+
+// A writer at 100 Hz that has sent ten.
+ArrivalOrder after_ten() {
+  ArrivalOrder order;
+  for (int i = 1; i <= 10; ++i) EXPECT_EQ(order.judge(at(i, 10 * i)), Arrival::kNext);
+  return order;
+}
+
+TEST(ArrivalOrder, TakesWhatGrows) {
+  ArrivalOrder order = after_ten();
+  EXPECT_EQ(order.judge(at(11, 110)), Arrival::kNext);
+  EXPECT_EQ(order.judge(at(20, 200)), Arrival::kNext) << "what lies between is lost, or comes late";
+}
+
+TEST(ArrivalOrder, TakesAnotherNumberOfTheSameTime) {
+  EXPECT_EQ(after_ten().judge(at(11, 100)), Arrival::kNext) << "in lockstep time stands while a message is sent again";
+}
+
+TEST(ArrivalOrder, DropsWhatComesTwiceOrLate) {
+  ArrivalOrder order = after_ten();
+  EXPECT_EQ(order.judge(at(10, 100)), Arrival::kLate);
+  EXPECT_EQ(order.judge(at(7, 70)), Arrival::kLate);
+  EXPECT_EQ(order.judge(at(11, 110)), Arrival::kNext);
+}
+
+TEST(ArrivalOrder, NeverTakesSingleLateOnesForABeginning) {
+  ArrivalOrder order = after_ten();
+  for (int i = 11; i < 200; ++i) {
+    ASSERT_EQ(order.judge(at(i, 10 * i)), Arrival::kNext);
+    ASSERT_EQ(order.judge(at(i - 3, 10 * (i - 3))), Arrival::kLate);
+  }
+}
+
+TEST(ArrivalOrder, ThreeInARowThatGrowBeginAnew) {
+  ArrivalOrder order = after_ten();
+  EXPECT_EQ(order.judge(at(1, 10)), Arrival::kLate);
+  EXPECT_EQ(order.judge(at(2, 20)), Arrival::kLate);
+  EXPECT_EQ(order.judge(at(3, 30)), Arrival::kAnew);
+  EXPECT_EQ(order.judge(at(4, 40)), Arrival::kNext);
+}
+
+TEST(ArrivalOrder, ThreeInARowThatDoNotGrowBeginNothing) {
+  ArrivalOrder order = after_ten();
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(order.judge(at(5, 50)), Arrival::kLate);
+  EXPECT_EQ(order.judge(at(9, 90)), Arrival::kLate);
+  EXPECT_EQ(order.judge(at(8, 80)), Arrival::kLate);
+  EXPECT_EQ(order.judge(at(7, 70)), Arrival::kLate);
+}
+
+TEST(ArrivalOrder, AClockSetBackByMoreThanASecondBeginsAnewAtOnce) {
+  EXPECT_EQ(after_ten().judge(at(11, 110 - 3'600'000)), Arrival::kAnew);
+}
+
+TEST(ArrivalOrder, AClockSetBackByLessBeginsAnewAfterThree) {
+  ArrivalOrder order = after_ten();
+  EXPECT_EQ(order.judge(at(11, -400)), Arrival::kLate);
+  EXPECT_EQ(order.judge(at(12, -390)), Arrival::kLate);
+  EXPECT_EQ(order.judge(at(13, -380)), Arrival::kAnew);
+}
+
+TEST(ArrivalOrder, ALaterTimeUnderAUsedNumberIsAnotherWriters) {
+  EXPECT_EQ(after_ten().judge(at(10, 105)), Arrival::kDouble);
+  EXPECT_EQ(after_ten().judge(at(3, 105)), Arrival::kDouble);
+}
+
+}  // namespace
+}  // namespace markservo::motion

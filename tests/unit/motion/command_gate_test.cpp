@@ -1,0 +1,104 @@
+// The table of command_gate.hpp, walked through.
+
+#include "common/motion/command_gate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+
+#include "common/motion/command_lead.hpp"
+
+namespace markservo::motion {
+namespace {
+
+constexpr std::int64_t kMover = 77;
+constexpr std::int64_t kNow = 10'000'000;
+
+// A command of `session` that answers what was measured `age` s before kNow.
+OfferedCommand command(std::int64_t seq, double age = 0.0, std::int64_t session = 5) {
+  return {{session, seq, kNow - static_cast<std::int64_t>(1e6 * age)}, kMover};
+}
+
+class Gate : public testing::Test {
+ protected:
+  Gate() { gate_.release(kNow - 1'000'000); }
+  CommandVerdict offer(const OfferedCommand& one, std::int64_t now = kNow) { return gate_.offer(one, now, false); }
+
+  CommandGate gate_{"JOINT_COMMAND", kMover};
+};
+
+TEST_F(Gate, ObeysGrowingNumbersOnce) {
+  EXPECT_EQ(offer(command(3, 0.1)), CommandVerdict::kObeyed);
+  EXPECT_EQ(offer(command(3, 0.1)), CommandVerdict::kOutOfOrder);
+  EXPECT_EQ(offer(command(2, 0.2)), CommandVerdict::kOutOfOrder);
+  EXPECT_EQ(offer(command(4, 0.0)), CommandVerdict::kObeyed);
+}
+
+TEST_F(Gate, ObeysNothingWhileLatched) {
+  EXPECT_EQ(gate_.offer(command(1), kNow, true), CommandVerdict::kLatched);
+}
+
+TEST_F(Gate, ObeysOnlyWhatWasMadeForThisMover) {
+  EXPECT_EQ(offer({{5, 1, kNow}, kMover + 1}), CommandVerdict::kOtherMover);
+  EXPECT_EQ(offer({{5, 1, kNow}, 0}), CommandVerdict::kOtherMover);
+}
+
+TEST_F(Gate, ObeysOnlyAnswersToWhatWasMeasuredAfterTheReset) {
+  gate_.release(kNow - 100'000);
+  EXPECT_EQ(offer(command(1, 0.1)), CommandVerdict::kBeforeReset);
+  EXPECT_EQ(offer(command(2, 0.09)), CommandVerdict::kObeyed);
+}
+
+TEST_F(Gate, ObeysNoAnswerToWhatIsOlderThanThreeTenthsOfASecondOrStillToCome) {
+  EXPECT_EQ(offer(command(1, 0.300001)), CommandVerdict::kStale);
+  EXPECT_EQ(offer(command(1, -0.020001)), CommandVerdict::kAhead);
+  EXPECT_EQ(offer(command(1, 0.3)), CommandVerdict::kObeyed);
+}
+
+TEST_F(Gate, IsSilentThreeTenthsOfASecondAfterTheLastObeyedCommand) {
+  EXPECT_TRUE(gate_.silent(kNow)) << "there was none yet";
+  offer(command(1));
+  EXPECT_FALSE(gate_.silent(kNow + 300'000));
+  EXPECT_TRUE(gate_.silent(kNow + 300'001));
+}
+
+TEST_F(Gate, AResetForgetsTheCommandsBefore) {
+  offer(command(1));
+  gate_.release(kNow);
+  EXPECT_TRUE(gate_.silent(kNow));
+}
+
+TEST_F(Gate, ARestartedWriterIsObeyedOnceTheFormerHasBeenSilent) {
+  offer(command(100, 0.0, 5));
+  EXPECT_EQ(gate_.offer({{6, 1, kNow + 200'000}, kMover}, kNow + 200'000, false), CommandVerdict::kWaits);
+  EXPECT_EQ(gate_.offer({{6, 2, kNow + 310'000}, kMover}, kNow + 310'000, false), CommandVerdict::kObeyed);
+}
+
+TEST_F(Gate, TwoWritersStopTheMoverUntilOneHasBeenSilentForASecond) {
+  offer(command(1, 0.1, 5));
+  EXPECT_EQ(offer(command(1, 0.05, 6)), CommandVerdict::kWaits);
+  EXPECT_EQ(offer(command(2, 0.0, 5)), CommandVerdict::kTwoWriters);
+  EXPECT_EQ(gate_.obstacle(kNow + 900'000),
+            "two write JOINT_COMMAND: sessions 5 and 6; released only when one has been silent for 1 s");
+  EXPECT_EQ(gate_.obstacle(kNow + 1'100'000), "");
+  gate_.release(kNow + 1'100'000);
+  EXPECT_EQ(gate_.offer({{5, 3, kNow + 1'110'000}, kMover}, kNow + 1'120'000, false), CommandVerdict::kObeyed);
+}
+
+TEST_F(Gate, AnOldRecordingIsNoWriter) {
+  offer(command(1, 0.1, 5));
+  EXPECT_EQ(offer(command(1, 2280.0, 6)), CommandVerdict::kStale);
+  EXPECT_EQ(offer(command(2, 0.0, 5)), CommandVerdict::kObeyed);
+}
+
+TEST(CommandLead, AllowsThreeTenthsOfASecondAtTheCommandsSpeedAndATenthOfARadian) {
+  const Eigen::Vector3d shaft(0.0, 1.0, -1.0);
+  const Eigen::Vector3d speed(1.0, 2.0, 0.2);
+  EXPECT_EQ(leading_joint<Eigen::Vector3d>(shaft + Eigen::Vector3d(0.39, -0.69, 0.15), speed, shaft), std::nullopt);
+  EXPECT_EQ(leading_joint<Eigen::Vector3d>(shaft + Eigen::Vector3d(0.41, 0.0, 0.0), speed, shaft), 0U);
+  EXPECT_EQ(leading_joint<Eigen::Vector3d>(shaft + Eigen::Vector3d(0.0, -0.71, 0.0), speed, shaft), 1U);
+  EXPECT_EQ(leading_joint<Eigen::Vector3d>(shaft + Eigen::Vector3d(0.0, 0.0, 0.17), speed, shaft), 2U);
+}
+
+}  // namespace
+}  // namespace markservo::motion
