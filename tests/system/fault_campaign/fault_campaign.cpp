@@ -13,6 +13,7 @@
 #include "common/robot/robot_description.hpp"
 #include "tests/experiments/experiment.hpp"
 #include "tests/system/fault_campaign/child.hpp"
+#include "tests/system/fault_campaign/plan.hpp"
 #include "tests/system/fault_campaign/results.hpp"
 
 namespace {
@@ -28,6 +29,7 @@ struct Options {
   std::string shard = "1/1";
   bool resume = false;
   bool keep = false;
+  bool plan_only = false;
   int most = 2;
   int draws = 4;
   std::string out = "logs/experiment-faults";
@@ -71,6 +73,7 @@ class Campaign {
 
   int run() {
     if (!options_.judge_only.empty()) return judge_again();
+    if (options_.plan_only) return print_plans();
     fs::create_directories(options_.out);
     std::vector<nlohmann::json> results;
     for (const std::int64_t seed : seeds()) {
@@ -100,6 +103,16 @@ class Campaign {
       if (static_cast<int>(i) % parts == part - 1) mine.push_back(all[i]);
     }
     return mine;
+  }
+
+  int print_plans() const {
+    for (const std::int64_t seed : seeds()) {
+      const Plan plan = plan_of(seed, 0);
+      std::cout << seed << " " << plan.phase;
+      for (const FaultPlan& fault : plan.faults) std::cout << " " << json_of(fault).dump();
+      std::cout << "\n";
+    }
+    return 0;
   }
 
   nlohmann::json result_for(std::int64_t seed) {
@@ -205,6 +218,7 @@ void add_options(CLI::App& app, Options& options) {
                  "Has bin/SERVICE: the stack that is tried; default: this program's own");
   app.add_option("--commit", options.commit, "Of the stack that is tried, for the report");
   app.add_option("--judge-only", options.judge_only, "Judge a kept trial's folder again, and run nothing");
+  app.add_flag("--plan", options.plan_only, "Print what the seeds draw at first, and run nothing");
   app.add_option("--kind", options.kind, "This fault alone, its numbers drawn: kind[:channel|service|variant]...");
   app.add_option("--phase", options.phase, "With --kind: the phase (default idle)");
 }

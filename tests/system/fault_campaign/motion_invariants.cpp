@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "common/time/seconds_between.hpp"
 #include "tests/system/fault_campaign/floor.hpp"
@@ -191,6 +192,32 @@ void judge_base_silence(const Timeline& timeline, const Bars& bars, Verdict& ver
   }
 }
 
+// A goal is legal only where the task behind it is: the stack obeys no START or HOME of another time.
+void judge_tasks(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
+  std::pair<std::int64_t, std::int64_t> obeyed{0, 0};
+  for (const auto& heard : timeline.task_states) {
+    const TaskState& task = heard.message;
+    if (heard.foreign || !timeline.is("task-manager", task.session)) continue;
+    const std::pair<std::int64_t, std::int64_t> told{task.command_session, task.command_id};
+    // What is refused is told too.
+    if (told == obeyed || task.state == TaskState::REFUSED || task.state == TaskState::IDLE) continue;
+    obeyed = told;
+    double age = -1.0;  // s, the least; below 0: not heard
+    for (const auto& command : timeline.task_commands) {
+      const TaskCommand& asked = command.message;
+      const bool same = asked.session == told.first && asked.command_id == told.second;
+      if (!same || asked.kind == TaskCommand::ABORT || command.t > heard.t) continue;
+      const double apart = std::abs(seconds_between(asked.utime, task.utime));
+      age = age < 0.0 ? apart : std::min(age, apart);
+    }
+    if (age < 0.0) continue;
+    ++verdict.judged;
+    if (age <= bars.reset_age + bars.reset_slack) continue;
+    note(verdict, heard.t,
+         text("a task was begun at %.2f s (world) by a TASK_COMMAND %.1f s from then", heard.world, age));
+  }
+}
+
 }  // namespace
 
 Verdict latched_is_still(const Timeline& timeline, const Bars& bars) {
@@ -203,6 +230,7 @@ Verdict latched_is_still(const Timeline& timeline, const Bars& bars) {
 Verdict motion_has_a_goal(const Timeline& timeline, const Bars& bars) {
   Verdict verdict;
   // The goal is obeyed while it is young enough, its last command a little longer, and then there is the braking.
+  judge_tasks(timeline, bars, verdict);
   const double arm_allowed = bars.goal_age + bars.command_age + bars.arm_braking + bars.hearing;
   const auto arm_goals = legal_goals(timeline, timeline.servo_goals, ServoGoal::HOLD, bars.goal_age);
   for (const ArmStep& step : arm_steps(timeline)) {

@@ -30,6 +30,7 @@ void decode_events(const History& history, Timeline& timeline) {
     if (channel == "BASE_GOAL") decode(event, timeline.base_goals);
     if (channel == "STOP") decode(event, timeline.stops);
     if (channel == "STOP_STATE") decode(event, timeline.stop_states);
+    if (channel == "TASK_COMMAND") decode(event, timeline.task_commands);
     if (channel == "TASK_STATE") decode(event, timeline.task_states);
     if (channel == "SERVICE_STATUS") decode(event, timeline.statuses);
     timeline.ended_at = std::max(timeline.ended_at, event.t);
@@ -178,6 +179,7 @@ Timeline timeline_of(const History& history) {
   stamp(clock, timeline.base_goals);
   stamp(clock, timeline.stops);
   stamp(clock, timeline.stop_states);
+  stamp(clock, timeline.task_commands);
   stamp(clock, timeline.task_states);
   stamp(clock, timeline.statuses);
   timeline.printed = history.printed;

@@ -14,6 +14,7 @@
 #include <markservo/SimTruth.hpp>
 #include <markservo/StopRequest.hpp>
 #include <markservo/StopState.hpp>
+#include <markservo/TaskCommand.hpp>
 #include <markservo/TaskState.hpp>
 #include <set>
 #include <string>
@@ -83,6 +84,7 @@ struct Timeline {
   Stream<BaseGoal> base_goals;
   Stream<StopRequest> stops;
   Stream<StopState> stop_states;
+  Stream<TaskCommand> task_commands;
   Stream<TaskState> task_states;
   Stream<ServiceStatus> statuses;
   std::map<std::string, std::vector<Traffic>> traffic;          // by channel

@@ -154,13 +154,24 @@ ForgedHistory& ForgedHistory::reset(double t, std::int64_t id, double stamped) {
   return add(t, "STOP", request, true);
 }
 
-ForgedHistory& ForgedHistory::task_state(double t, int state, const std::string& reason) {
+ForgedHistory& ForgedHistory::start_command(double t, std::int64_t id, double stamped) {
+  TaskCommand command{};
+  command.utime = at(stamped);
+  command.session = kStranger;
+  command.command_id = id;
+  command.kind = TaskCommand::START;
+  return add(t, "TASK_COMMAND", command, true);
+}
+
+ForgedHistory& ForgedHistory::task_state(double t, int state, const std::string& reason, std::int64_t command) {
   TaskState task{};
   task.utime = at(t);
   task.session = kTask;
   task.seq = ++seq_;
   task.state = static_cast<std::int8_t>(state);
   task.reason = reason;
+  task.command_session = command == 0 ? 0 : kStranger;
+  task.command_id = command;
   return add(t, "TASK_STATE", task);
 }
 

@@ -55,7 +55,8 @@ class ForgedHistory {
   ForgedHistory& base_commands(double from, double to, double speed = 0.0);
   ForgedHistory& stop_state(double t, const std::string& device, bool latched, std::int64_t request = 0);
   ForgedHistory& reset(double t, std::int64_t id, double stamped);
-  ForgedHistory& task_state(double t, int state, const std::string& reason = {});
+  ForgedHistory& task_state(double t, int state, const std::string& reason = {}, std::int64_t command = 0);
+  ForgedHistory& start_command(double t, std::int64_t id, double stamped);
   // SERVICE_STATUS at 1 Hz; `received` messages more a second on `channel`.
   ForgedHistory& says(double from, double to, const std::string& service, const std::string& state,
                       const std::string& channel = {}, int received = 0);

@@ -88,6 +88,20 @@ TEST(MotionHasAGoal, TakesNoGoalFromAnotherTimeForOne) {
   EXPECT_TRUE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
 }
 
+TEST(MotionHasAGoal, TakesATaskOfThisMoment) {
+  ForgedHistory forged;
+  forged.still(0.0, 5.0).start_command(2.0, 7, 1.8).task_state(2.1, TaskState::LOOK, "", 7);
+  const Verdict verdict = motion_has_a_goal(forged.timeline(), forged_bars());
+  EXPECT_EQ(verdict.judged, 1);
+  EXPECT_FALSE(verdict.broken());
+}
+
+TEST(MotionHasAGoal, BreaksForATaskThatAnOldStartBegan) {
+  ForgedHistory forged;
+  forged.still(0.0, 5.0).start_command(2.0, 7, -2280.0).task_state(2.1, TaskState::LOOK, "", 7);
+  EXPECT_TRUE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
+}
+
 TEST(SilenceIsRest, HoldsWhileCommandsComeAndAtRestWithout) {
   ForgedHistory forged;
   forged.world(0.0, 8.0, kMoves, kMoves).joint_commands(0.5, 4.0).base_commands(0.5, 4.0);
