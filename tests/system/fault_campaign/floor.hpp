@@ -35,4 +35,32 @@ std::vector<const Heard<M>*> legal_goals(const Timeline& timeline, const Stream<
   return legal;
 }
 
+// Which session had the floor from when on.
+struct FloorHolder {
+  double from = 0.0;  // s, world
+  std::int64_t session = 0;
+};
+
+template <class M>
+std::vector<FloorHolder> floor_holders(const Stream<M>& goals, double age) {
+  std::vector<FloorHolder> holders;
+  double held = -1e9;
+  for (const auto& goal : goals) {
+    const bool other = holders.empty() || goal.message.session != holders.back().session;
+    if (other && goal.world - held <= age) continue;
+    if (other) holders.push_back({goal.world, goal.message.session});
+    held = goal.world;
+  }
+  return holders;
+}
+
+// Whether `session` had the floor at some time within [from, to], or nobody ever had.
+inline bool had_the_floor(const std::vector<FloorHolder>& holders, std::int64_t session, double from, double to) {
+  for (std::size_t i = 0; i < holders.size(); ++i) {
+    const double until = i + 1 < holders.size() ? holders[i + 1].from : to;
+    if (holders[i].session == session && holders[i].from <= to && until >= from) return true;
+  }
+  return holders.empty();
+}
+
 }  // namespace markservo::campaign

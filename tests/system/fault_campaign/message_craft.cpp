@@ -101,13 +101,14 @@ std::optional<std::int64_t> get_integer(const Bytes& message, const std::string&
 }
 
 void displace(Bytes& message, double amount) {
+  constexpr double kOpen = 0.045;  // m: what hangs in the hand would fall
   static const std::set<std::string> kKept = {"gripper_force", "speed_limit", "tolerance", "clearance"};
   for (const LeafSpan& leaf : leaf_spans(types(), message)) {
     const std::string field = leaf.path.substr(0, leaf.path.find('['));
     if (leaf.kind != Kind::kDouble || kKept.count(field) > 0) continue;
     if (leaf.path.find("covariance") != std::string::npos) continue;
     const bool opening = field == "gripper_opening";
-    put_real(message, leaf, opening ? 0.01 : real_at(message, leaf) + amount);
+    put_real(message, leaf, opening ? kOpen : real_at(message, leaf) + amount);
   }
 }
 

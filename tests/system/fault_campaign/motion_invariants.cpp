@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 
@@ -192,6 +193,24 @@ void judge_base_silence(const Timeline& timeline, const Bars& bars, Verdict& ver
   }
 }
 
+// What a mover says that it follows: the one who has the floor, or had it a moment ago.
+template <class Status, class Goal>
+void judge_followed(const Timeline& timeline, const Stream<Status>& statuses, const Stream<Goal>& goals,
+                    const char* service, std::initializer_list<int> moving, const Bars& bars, Verdict& verdict) {
+  const auto holders = floor_holders(goals, bars.goal_age);
+  const double moment = 2.0 * bars.goal_age + bars.command_age;
+  for (const auto& heard : statuses) {
+    const Status& status = heard.message;
+    if (heard.foreign || !timeline.is(service, status.session) || status.goal_session == 0) continue;
+    if (std::find(moving.begin(), moving.end(), status.state) == moving.end()) continue;
+    ++verdict.judged;
+    if (had_the_floor(holders, status.goal_session, heard.world - moment, heard.world + bars.hearing)) continue;
+    note(verdict, heard.t,
+         text("%s follows a goal of session %ld at %.2f s (world), which does not have the floor", service,
+              static_cast<long>(status.goal_session), heard.world));
+  }
+}
+
 // A goal is legal only where the task behind it is: the stack obeys no START or HOME of another time.
 void judge_tasks(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
   std::pair<std::int64_t, std::int64_t> obeyed{0, 0};
@@ -231,6 +250,10 @@ Verdict motion_has_a_goal(const Timeline& timeline, const Bars& bars) {
   Verdict verdict;
   // The goal is obeyed while it is young enough, its last command a little longer, and then there is the braking.
   judge_tasks(timeline, bars, verdict);
+  judge_followed(timeline, timeline.servo_statuses, timeline.servo_goals, "visual-servo",
+                 {ServoStatus::POSTURE, ServoStatus::SERVO}, bars, verdict);
+  judge_followed(timeline, timeline.base_statuses, timeline.base_goals, "base-navigator", {BaseStatus::DRIVING}, bars,
+                 verdict);
   const double arm_allowed = bars.goal_age + bars.command_age + bars.arm_braking + bars.hearing;
   const auto arm_goals = legal_goals(timeline, timeline.servo_goals, ServoGoal::HOLD, bars.goal_age);
   for (const ArmStep& step : arm_steps(timeline)) {

@@ -19,6 +19,9 @@ const Names kWritten = {"JOINT_STATE",   "STOP_STATE",    "WHEEL_ODOMETRY", "SON
                         "TARGET_POSE",   "SERVO_GOAL",    "SERVO_STATUS",   "JOINT_COMMAND", "BASE_GOAL",
                         "BASE_STATUS",   "BASE_COMMAND",  "TASK_STATE",     "TASK_COMMAND",  "STOP",
                         "RFID_TAG_HITS", "SERVICE_STATUS"};
+// What moves the robot, or what a mover goes by: half of the second writers speak there.
+const Names kMoving = {"JOINT_STATE",  "JOINT_COMMAND", "SERVO_GOAL", "STOP_STATE",     "BASE_GOAL",
+                       "BASE_COMMAND", "TASK_COMMAND",  "STOP",       "WHEEL_ODOMETRY", "TARGET_POSE"};
 // Streams, of which some come late, twice or in another order.
 const Names kStreams = {"JOINT_STATE", "STOP_STATE",   "WHEEL_ODOMETRY", "SONAR_SCAN",    "ROBOT_POSE",
                         "TARGET_POSE", "SERVO_GOAL",   "SERVO_STATUS",   "JOINT_COMMAND", "BASE_GOAL",
@@ -45,7 +48,7 @@ struct KindOfFault {
 };
 
 void second_writer(Random& random, FaultPlan& fault) {
-  fault.channel = random.one_of(kWritten);
+  fault.channel = random.one_of(random.chance(0.5) ? kMoving : kWritten);
   fault.rate = random.one_of<double>({1.0, 10.0, 100.0});
   fault.same_session = random.chance(0.3);
   fault.duration = random.between(1.0, 4.0);
@@ -60,7 +63,7 @@ void second_process(Random& random, FaultPlan& fault) {
 
 void old_messages(Random& random, FaultPlan& fault) {
   fault.channel = random.chance(0.4) ? "all" : random.one_of(kWritten);
-  fault.variant = random.one_of<std::string>({"warm", "warm", "fresh", "latched"});
+  fault.variant = random.one_of<std::string>({"warm", "fresh", "latched"});
   fault.amount = between_orders(random, 60.0, 1e6);  // s old
   // What was killed needs some seconds until it can be fooled.
   fault.duration = random.between(2.0, 4.0) + (fault.variant == "fresh" ? 5.0 : 0.0);
@@ -145,7 +148,7 @@ void extremes(Random& random, FaultPlan& fault) {
 }
 
 void long_text(Random& random, FaultPlan& fault) {
-  fault.channel = random.one_of(kTexts);
+  fault.channel = random.chance(0.4) ? "STOP" : random.one_of(kTexts);
   fault.amount = between_orders(random, 50.0, 8e6);  // bytes
   fault.same_session = random.chance(0.3);
   fault.rate = 1.0;

@@ -31,6 +31,8 @@ void decode_events(const History& history, Timeline& timeline) {
     if (channel == "STOP") decode(event, timeline.stops);
     if (channel == "STOP_STATE") decode(event, timeline.stop_states);
     if (channel == "TASK_COMMAND") decode(event, timeline.task_commands);
+    if (channel == "SERVO_STATUS") decode(event, timeline.servo_statuses);
+    if (channel == "BASE_STATUS") decode(event, timeline.base_statuses);
     if (channel == "TASK_STATE") decode(event, timeline.task_states);
     if (channel == "SERVICE_STATUS") decode(event, timeline.statuses);
     timeline.ended_at = std::max(timeline.ended_at, event.t);
@@ -179,6 +181,8 @@ Timeline timeline_of(const History& history) {
   stamp(clock, timeline.base_goals);
   stamp(clock, timeline.stops);
   stamp(clock, timeline.stop_states);
+  stamp(clock, timeline.servo_statuses);
+  stamp(clock, timeline.base_statuses);
   stamp(clock, timeline.task_commands);
   stamp(clock, timeline.task_states);
   stamp(clock, timeline.statuses);

@@ -7,9 +7,11 @@
 #include <map>
 #include <markservo/BaseCommand.hpp>
 #include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
 #include <markservo/JointCommand.hpp>
 #include <markservo/ServiceStatus.hpp>
 #include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
 #include <markservo/SimBaseTruth.hpp>
 #include <markservo/SimTruth.hpp>
 #include <markservo/StopRequest.hpp>
@@ -82,6 +84,8 @@ struct Timeline {
   Stream<BaseCommand> base_commands;
   Stream<ServoGoal> servo_goals;
   Stream<BaseGoal> base_goals;
+  Stream<ServoStatus> servo_statuses;
+  Stream<BaseStatus> base_statuses;
   Stream<StopRequest> stops;
   Stream<StopState> stop_states;
   Stream<TaskCommand> task_commands;

@@ -95,6 +95,16 @@ ForgedHistory& ForgedHistory::servo_goals(double from, double to, std::int64_t s
   return *this;
 }
 
+ForgedHistory& ForgedHistory::follows(double t, std::int64_t session) {
+  ServoStatus status{};
+  status.utime = at(t);
+  status.session = kServo;
+  status.goal_session = session;
+  status.goal_id = 1;
+  status.state = ServoStatus::POSTURE;
+  return add(t, "SERVO_STATUS", status);
+}
+
 ForgedHistory& ForgedHistory::base_goals(double from, double to) {
   for (double t = from; t < to; t += 0.2) {
     BaseGoal goal{};

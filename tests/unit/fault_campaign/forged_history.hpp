@@ -50,6 +50,7 @@ class ForgedHistory {
   ForgedHistory& base_at(double t, double x, bool touched = false);
 
   ForgedHistory& servo_goals(double from, double to, std::int64_t session = kTask, double stamp_off = 0.0);
+  ForgedHistory& follows(double t, std::int64_t session);
   ForgedHistory& base_goals(double from, double to);
   ForgedHistory& joint_commands(double from, double to, double position = 0.0, double speed = 1.0);
   ForgedHistory& base_commands(double from, double to, double speed = 0.0);

@@ -88,6 +88,21 @@ TEST(MotionHasAGoal, TakesNoGoalFromAnotherTimeForOne) {
   EXPECT_TRUE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
 }
 
+TEST(MotionHasAGoal, BreaksWhenTheMoverFollowsTheSecondOfTwo) {
+  ForgedHistory first;
+  first.still(0.0, 6.0).servo_goals(1.0, 5.0).servo_goals(2.05, 5.0, kStranger).follows(4.0, kTask);
+  EXPECT_FALSE(motion_has_a_goal(first.timeline(), forged_bars()).broken());
+  ForgedHistory second;
+  second.still(0.0, 6.0).servo_goals(1.0, 5.0).servo_goals(2.05, 5.0, kStranger).follows(4.0, kStranger);
+  EXPECT_TRUE(motion_has_a_goal(second.timeline(), forged_bars()).broken());
+}
+
+TEST(MotionHasAGoal, LetsTheNextSpeakWhenTheFirstIsSilent) {
+  ForgedHistory forged;
+  forged.still(0.0, 6.0).servo_goals(1.0, 2.0).servo_goals(3.0, 5.0, kStranger).follows(4.0, kStranger);
+  EXPECT_FALSE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
+}
+
 TEST(MotionHasAGoal, TakesATaskOfThisMoment) {
   ForgedHistory forged;
   forged.still(0.0, 5.0).start_command(2.0, 7, 1.8).task_state(2.1, TaskState::LOOK, "", 7);
