@@ -47,8 +47,8 @@ std::set<std::string> words_of_channel(const std::string& channel) {
 }
 
 std::unique_ptr<Fault> make_fault(const FaultPlan& plan) {
-  for (const auto& make :
-       {make_writer_fault, make_process_fault, make_network_fault, make_clock_fault, make_device_fault}) {
+  for (const auto& make : {make_writer_fault, make_old_messages, make_process_fault, make_network_fault,
+                           make_clock_fault, make_device_fault}) {
     if (auto fault = make(plan)) return fault;
   }
   throw std::logic_error("no fault of kind '" + plan.kind + "'");

@@ -61,6 +61,7 @@ std::unique_ptr<Fault> make_fault(const FaultPlan& plan);
 
 // Each family's own; null for another family's kind.
 std::unique_ptr<Fault> make_writer_fault(const FaultPlan& plan);
+std::unique_ptr<Fault> make_old_messages(const FaultPlan& plan);
 std::unique_ptr<Fault> make_process_fault(const FaultPlan& plan);
 std::unique_ptr<Fault> make_network_fault(const FaultPlan& plan);
 std::unique_ptr<Fault> make_clock_fault(const FaultPlan& plan);

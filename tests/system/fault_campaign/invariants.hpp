@@ -51,7 +51,7 @@ struct Bars {
   double ready_age = 4.0;        // s, I8: ready within so long before the end of that
   double memory_mb = 10.0;       // I8
   double bytes_share = 0.10;     // I8, of a message's mean size, by channel
-  double bytes_floor = 220.0;    // bytes a message: a reason may stand where there was none, up to 200
+  double bytes_floor = 260.0;    // bytes a message: a reason of up to 200 and a name may stand where there were none
   double rate_factor = 1.6;      // I8: messages a second by the world's clock; the machine's own scatter
   double rate_floor = 3.0;       // messages a second
   double calm = 1.0;             // s after the faults until bytes count
