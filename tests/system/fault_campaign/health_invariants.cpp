@@ -202,6 +202,7 @@ void judge_bytes(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
   if (seconds_before < 1.0 || seconds_after < 1.0) return;
   for (const auto& [channel, traffic] : timeline.traffic) {
     if (kOwn.count(channel) > 0 || kPictures.count(channel) > 0) continue;
+    if (channel.rfind("SIM_", 0) == 0) continue;  // no robot has them
     const Load then = load_of(traffic, before, strike);
     const Load now = load_of(traffic, calm, timeline.ended_at);
     if (now.messages == 0.0) continue;

@@ -72,7 +72,7 @@ const std::vector<std::string>& phases() {
   return all;
 }
 
-const std::vector<std::string>& fault_kinds_of_fault() {
+const std::vector<std::string>& fault_kinds() {
   static const Names all = [] {
     Names names;
     for (const KindOfFault& kind : kinds_of_fault()) names.emplace_back(kind.kind);
