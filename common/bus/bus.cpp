@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <markservo/ServiceStatus.hpp>
+#include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
-#include "common/bus/network_check.hpp"
 #include "common/bus/session.hpp"
 #include "common/time/clocks.hpp"
 
@@ -20,10 +21,10 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr int64_t kClockTolerance_us = 20'000;      // hosts' clocks agree within 5 ms; this far ahead is wrong
-constexpr int64_t kTimelineRestart_us = 1'000'000;  // a writer that restarts this far back begins a new time line
+constexpr int64_t kClockTolerance_us = 20'000;  // hosts' clocks agree within 5 ms; this far ahead is wrong
 constexpr milliseconds kHeartbeat{1000};
-constexpr int kMaxDrain = 4096;  // messages per poll, so that a flood cannot starve the timers
+constexpr int kMaxDrain = 4096;        // messages per poll, so that a flood cannot starve the timers
+constexpr milliseconds kNoBusNap{50};  // while there is nothing to listen to
 
 // LCM takes channels as regular expressions, anchored at both ends.
 std::string escape(const std::string& literal) {
@@ -35,20 +36,20 @@ std::string escape(const std::string& literal) {
   return regex;
 }
 
-std::shared_ptr<lcm::LCM> connect(const std::string& url) {
-  if (is_file(url) && url.find("mode=w") == std::string::npos && access(file_path(url).c_str(), R_OK) != 0) {
-    throw BusUnavailable("bus " + url + ": the log cannot be read; allowed: an existing LCM log");
-  }
-  auto lcm = std::make_shared<lcm::LCM>(url);
-  if (!lcm->good()) {
-    throw BusUnavailable("bus " + url + ": cannot be joined; " +
-                         (is_udpm(url) ? multicast_route_advice() : "allowed: udpm://, memq:// or file:// URLs"));
-  }
-  return lcm;
-}
-
 void raw_handler(const lcm::ReceiveBuffer* buffer, const std::string& /*channel*/, Subscription* subscription) {
   subscription->receive(buffer->data, buffer->data_size);
+}
+
+// A subscription of no content: that something came is all it tells.
+class Echo final : public Subscription {
+ public:
+  using Subscription::Subscription;
+  void receive(const void* /*data*/, std::size_t /*size*/) override { note_arrival(); }
+  void dispatch() override {}
+};
+
+void subscribe_to(lcm::LCM& lcm, Subscription* subscription) {
+  lcm.subscribeFunction(escape(subscription->channel()), raw_handler, subscription);
 }
 
 }  // namespace
@@ -59,9 +60,15 @@ Bus::Bus(BusParameters parameters) : parameters_(std::move(parameters)) {
   session_ = random_session();
   if (parameters_.source) session_ = source_session(parameters_.service_name);
   if (replaying_) session_ = replay_session(file_path(urls.in), parameters_.service_name);
-  in_ = connect(urls.in);
-  out_ = urls.out == urls.in ? in_ : connect(urls.out);
-  if (parameters_.heartbeat && !is_file(urls.out)) {
+  in_ = std::make_shared<Connection>(urls.in, [this](lcm::LCM& lcm) { subscribe_all(lcm); });
+  out_ = urls.out == urls.in ? in_ : std::make_shared<Connection>(urls.out, nullptr);
+  const bool speaks = parameters_.heartbeat && !is_file(urls.out);
+  if (speaks && in_ == out_ && is_udpm(urls.in)) {
+    SubscriptionHost* host = this;  // a private base: only here is the conversion allowed
+    echo_ = std::make_unique<Echo>(host, full_channel(channels::kServiceStatus.name));
+  }
+  open();
+  if (speaks) {
     status_publisher_ = std::make_unique<Publisher<ServiceStatus>>(advertise(channels::kServiceStatus));
     every(kHeartbeat, [this] { publish_status(); });
   }
@@ -75,8 +82,13 @@ std::string Bus::full_channel(const std::string& channel) const {
 }
 
 void Bus::attach(std::unique_ptr<Subscription> subscription) {
-  in_->subscribeFunction(escape(subscription->channel()), raw_handler, subscription.get());
+  if (lcm::LCM* lcm = in_->lcm()) subscribe_to(*lcm, subscription.get());
   subscriptions_.push_back(std::move(subscription));
+}
+
+void Bus::subscribe_all(lcm::LCM& lcm) {
+  if (echo_) subscribe_to(lcm, echo_.get());
+  for (const auto& subscription : subscriptions_) subscribe_to(lcm, subscription.get());
 }
 
 void Bus::on_raw(const std::string& channel, RawSubscription::Handler handler) {
@@ -84,10 +96,18 @@ void Bus::on_raw(const std::string& channel, RawSubscription::Handler handler) {
   attach(std::make_unique<RawSubscription>(host, full_channel(channel), std::move(handler)));
 }
 
-void Bus::publish_raw(const std::string& channel, const void* data, std::size_t size) {
-  if (out_->publish(full_channel(channel), data, static_cast<unsigned int>(size)) < 0) {
-    throw std::runtime_error("publish on " + channel + ": the bus refused the message");
+bool Bus::publish_raw(const std::string& channel, const void* data, std::size_t size) {
+  return send(full_channel(channel), data, size);
+}
+
+bool Bus::send(const std::string& full_channel, const void* data, std::size_t size) {
+  if (out_->publish(full_channel, data, size, steady_clock::now())) return true;
+  // A network comes back. A log that cannot be written is a failure, and a tool does not wait.
+  if (is_file(out_->url()) || !parameters_.waits_for_network) {
+    throw std::runtime_error("publish on " + full_channel +
+                             ": the bus refused the message: " + out_->refused_sends(steady_clock::now()).reason);
   }
+  return false;
 }
 
 void Bus::every(milliseconds period, std::function<void()> task) {
@@ -120,28 +140,28 @@ void Bus::run_timers() {
 
 bool Bus::poll(milliseconds timeout) {
   if (stopped_ || told_to_end()) return false;
-  errno = 0;
-  int handled = in_->handleTimeout(static_cast<int>(until_next_timer(timeout).count()));
-  if (handled < 0 && (replaying_ || told_to_end())) return false;  // the end of the log, or told to stop
-  if (handled < 0 && errno != EINTR) throw BusUnavailable("bus " + parameters_.urls.in + ": cannot be read any more");
-  if (!replaying_) {
-    for (int count = 1; handled > 0 && count < kMaxDrain; ++count) handled = in_->handleTimeout(0);
-  }
+  if (!replaying_) mend_network();
+  if (!handle_incoming(timeout)) return false;
   for (const auto& subscription : subscriptions_) subscription->dispatch();
   run_timers();
+  if (!replaying_) look_after_health();
   return !stopped_ && !told_to_end();
 }
 
-void Bus::set_state(const std::string& state, const std::string& reason) {
-  if (state == state_ && reason == reason_) return;
-  state_ = state;
-  reason_ = reason;
-  if (!status_publisher_) return;
-  try {
-    publish_status();
-  } catch (const std::exception& error) {
-    complain(channels::kServiceStatus.name, error.what());
+bool Bus::handle_incoming(milliseconds timeout) {
+  const milliseconds wait = until_next_timer(timeout);
+  if (in_->lcm() == nullptr) {
+    std::this_thread::sleep_for(std::min(wait, kNoBusNap));
+    return true;
   }
+  errno = 0;
+  int handled = in_->handle(wait);
+  if (handled < 0 && (replaying_ || told_to_end())) return false;  // the end of the log, or told to stop
+  if (handled < 0 && errno != EINTR) lose_input("it cannot be read any more");
+  if (!replaying_) {
+    for (int count = 1; handled > 0 && count < kMaxDrain; ++count) handled = in_->handle(milliseconds(0));
+  }
+  return true;
 }
 
 ServiceStatus Bus::status() const {
@@ -152,8 +172,9 @@ ServiceStatus Bus::status() const {
   status.pid = getpid();
   status.version = MARKSERVO_VERSION;
   status.config_hash = parameters_.config_hash;
-  status.state = state_;
-  status.reason = reason_;
+  const Word told = told_word(own_, word_of_network(), word_of_inputs());
+  status.state = told.state;
+  status.reason = told.reason;
   add_counters("", status);
   for (const auto& [other, prefix] : reported_also_) other->add_counters(prefix, status);
   status.num_channels = static_cast<int32_t>(status.channels.size());
@@ -161,6 +182,7 @@ ServiceStatus Bus::status() const {
 }
 
 void Bus::add_counters(const std::string& prefix, ServiceStatus& status) const {
+  const auto now = steady_clock::now();
   for (const auto& subscription : subscriptions_) {
     const ChannelCounters& counters = subscription->counters();
     ChannelStatus channel{};
@@ -171,9 +193,9 @@ void Bus::add_counters(const std::string& prefix, ServiceStatus& status) const {
     channel.decode_failures = counters.decode_failures;
     channel.refused = counters.refused;
     channel.second_writer = counters.sequence.second_writer() ? 1 : 0;
-    channel.age = counters.newest_utime < 0 ? -1.0 : 1e-6 * static_cast<double>(newest_utime_ - counters.newest_utime);
-    channel.latency_p50 = counters.latency.percentile(0.50);
-    channel.latency_p99 = counters.latency.percentile(0.99);
+    channel.age = counters.newest_utime < 0 ? -1.0 : 1e-6 * static_cast<double>(newest_utime() - counters.newest_utime);
+    channel.latency_p50 = counters.latency.percentile(0.50, now);
+    channel.latency_p99 = counters.latency.percentile(0.99, now);
     status.channels.push_back(std::move(channel));
   }
 }
@@ -182,18 +204,14 @@ void Bus::report_also(const Bus& other, std::string prefix) {
   reported_also_.emplace_back(&other, std::move(prefix));
 }
 
-void Bus::publish_status() {
-  ServiceStatus message = status();
-  status_publisher_->publish(message);
+bool Bus::note_utime(int64_t utime) {
+  return time_line_.observe(utime);
 }
 
-void Bus::note_utime(int64_t utime, bool new_session) {
-  const bool restarted = new_session && utime < newest_utime_ - kTimelineRestart_us;
-  newest_utime_ = restarted ? utime : std::max(newest_utime_, utime);
-}
-
-bool Bus::from_the_future(int64_t utime) const {
-  return !replaying_ && utime > wall_clock_us() + kClockTolerance_us;
+double Bus::ahead_of_clock(int64_t utime) const {
+  if (replaying_) return 0.0;
+  const int64_t ahead = utime - wall_clock_us();
+  return ahead > kClockTolerance_us ? 1e-6 * static_cast<double>(ahead) : 0.0;
 }
 
 void Bus::complain(const std::string& channel, const std::string& what) {

@@ -9,24 +9,28 @@
 //   bus.spin();
 //
 // Messages that wait are handed over in the order in which their channels were subscribed. A handler may publish; it
-// may throw, which counts the message as refused.
+// may throw, which counts the message as refused. A network that comes and goes is waited for, and what is not heard is
+// told in SERVICE_STATUS (need()).
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <lcm/lcm-cpp.hpp>
 #include <map>
 #include <markservo/channels.hpp>
 #include <memory>
-#include <stdexcept>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "common/bus/bus_unavailable.hpp"
 #include "common/bus/bus_url.hpp"
+#include "common/bus/connection.hpp"
+#include "common/bus/health.hpp"
 #include "common/bus/publisher.hpp"
 #include "common/bus/raw_subscription.hpp"
 #include "common/bus/subscription.hpp"
+#include "common/bus/time_line.hpp"
 
 namespace markservo {
 class ServiceStatus;
@@ -34,14 +38,9 @@ class ServiceStatus;
 
 namespace markservo::bus {
 
-// The bus cannot be joined. Ends a service with exit code 3.
-class BusUnavailable : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-// The state in SERVICE_STATUS of a service that has said nothing of itself yet.
-inline constexpr const char* kStarting = "starting";
+// How long a channel that is needed may be silent, s: above the pauses of a busy machine and of a service that is
+// restarted, and well below the 5 s after which nobody may call a deaf service ready.
+inline constexpr double kNeededWithin = 3.0;
 
 struct BusParameters {
   BusUrls urls;
@@ -50,9 +49,11 @@ struct BusParameters {
   int64_t config_hash = 0;   // of all settings in force
   bool source = false;       // reads nothing and writes a log: the same session in every run
   bool heartbeat = true;     // SERVICE_STATUS; never written to file://
+  // A service waits for a route, an interface or a server that is missing; a tool ends.
+  bool waits_for_network = false;
 };
 
-class Bus final : private SubscriptionHost {
+class Bus final : private SubscriptionHost, private MessageSink {
  public:
   // Throws BusUnavailable with a line that says what to do.
   explicit Bus(BusParameters parameters);
@@ -73,24 +74,32 @@ class Bus final : private SubscriptionHost {
   // A channel of any type, as bytes that nobody looks into: only for who passes messages on. False counts the message
   // as skipped; what it throws, as refused.
   void on_raw(const std::string& channel, RawSubscription::Handler handler);
-  // Sends bytes as they are. Throws std::runtime_error if the bus refuses.
-  void publish_raw(const std::string& channel, const void* data, std::size_t size);
+  // Sends bytes as they are. False if the network refused them, which is counted.
+  bool publish_raw(const std::string& channel, const void* data, std::size_t size);
 
   template <class M>
   Publisher<M> advertise(const channels::Channel<M>& channel) {
-    return Publisher<M>(out_.get(), full_channel(channel.name), session_);
+    MessageSink* sink = this;  // a private base: only here is the conversion allowed
+    return Publisher<M>(sink, full_channel(channel.name), session_);
   }
 
   // Calls `task` every `period` of this host's steady clock while the bus is live; never while a log is replayed.
   void every(std::chrono::milliseconds period, std::function<void()> task);
 
+  // Says that the service cannot work without `channel`, which it has subscribed: SERVICE_STATUS then says `waiting`
+  // until it is heard, and `stale` when nothing was accepted for `within` seconds of this host's clock. Throws
+  // std::logic_error for a channel that is not subscribed.
+  void need(const channels::Entry& channel, double within = kNeededWithin);
+
   // Counts what `other` hears in this service's SERVICE_STATUS too, each channel with `prefix`. `other` must outlive
   // this.
   void report_also(const Bus& other, std::string prefix);
 
-  // The service's own word for how it is; published at once when it changes.
+  // The service's own word for how it is; published at once when it changes. While the bus knows of something that
+  // keeps the service from its work (need(), the network), SERVICE_STATUS says that, and the own word again afterwards.
   void set_state(const std::string& state, const std::string& reason = {});
-  const std::string& state() const { return state_; }
+  // The own word.
+  const std::string& state() const { return own_.state; }
 
   // Handles what comes within `timeout`, then the timers. False once the service shall end: SIGINT, SIGTERM, stop(), or
   // the end of the log.
@@ -101,10 +110,11 @@ class Bus final : private SubscriptionHost {
   }
   void stop() { stopped_ = true; }
   // Readable when messages wait: for who waits on more than this bus, with poll(2), and then calls poll(0).
-  int descriptor() const { return in_->getFileno(); }
+  // Another one after the network was gone; -1 while it is.
+  int descriptor() const { return in_->descriptor(); }
 
   // The newest utime on any subscribed channel, us: what "now" means to the algorithms; 0 before the first message.
-  int64_t newest_utime() const override { return newest_utime_; }
+  int64_t newest_utime() const override { return time_line_.newest(); }
   // Nothing is live about a log.
   bool replaying() const override { return replaying_; }
   int64_t session() const { return session_; }
@@ -121,6 +131,11 @@ class Bus final : private SubscriptionHost {
     std::function<void()> task;
   };
 
+  struct Need {
+    const Subscription* subscription;
+    double within;  // s
+  };
+
   template <class M>
   void subscribe(const channels::Channel<M>& channel, Delivery delivery,
                  typename TypedSubscription<M>::Handler handler) {
@@ -131,27 +146,44 @@ class Bus final : private SubscriptionHost {
   }
   void attach(std::unique_ptr<Subscription> subscription);
   std::string full_channel(const std::string& channel) const;
+  bool send(const std::string& full_channel, const void* data, std::size_t size) override;
+  void subscribe_all(lcm::LCM& lcm);
+  void open();
+  void mend_network();
+  bool handle_incoming(std::chrono::milliseconds timeout);
+  void lose_input(const std::string& why);
+  void look_after_health();
+  void tell(const Word& word);
+  void log_trouble(const std::optional<Word>& network, const std::optional<Word>& inputs);
+  std::optional<Word> word_of_network() const;
+  std::optional<Word> word_of_inputs() const;
   void add_counters(const std::string& prefix, ServiceStatus& status) const;
   void publish_status();
   void run_timers();
   std::chrono::milliseconds until_next_timer(std::chrono::milliseconds limit) const;
 
-  void note_utime(int64_t utime, bool new_session) override;
-  bool from_the_future(int64_t utime) const override;
+  void note_traffic() override;
+  bool note_utime(int64_t utime) override;
+  double ahead_of_clock(int64_t utime) const override;
   void complain(const std::string& channel, const std::string& what) override;
 
   BusParameters parameters_;
   bool replaying_ = false;
   int64_t session_ = 0;
-  std::shared_ptr<lcm::LCM> in_;
-  std::shared_ptr<lcm::LCM> out_;
+  std::shared_ptr<Connection> in_;
+  std::shared_ptr<Connection> out_;  // the same where one URL serves both
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
+  std::unique_ptr<Subscription> echo_;  // SERVICE_STATUS, this service's own among them: heard unless the bus is deaf
+  std::vector<Need> needs_;
   std::vector<std::pair<const Bus*, std::string>> reported_also_;  // with their channels' prefix
   std::vector<Timer> timers_;
   std::unique_ptr<Publisher<ServiceStatus>> status_publisher_;
-  std::string state_ = kStarting;
-  std::string reason_;
-  int64_t newest_utime_ = 0;
+  Word own_{kStarting, {}};
+  Word told_{kStarting, {}};
+  std::optional<std::chrono::steady_clock::time_point> trouble_since_;  // by the bus's word
+  bool trouble_is_logged_ = false;
+  TimeLine time_line_;
+  int heartbeats_unheard_ = 0;  // sent since anything was heard
   bool stopped_ = false;
   std::map<std::string, std::chrono::steady_clock::time_point> last_complaint_;
 };

@@ -20,6 +20,10 @@ inline bool is_udpm(const std::string& url) {
   return url.rfind("udpm://", 0) == 0;
 }
 
+inline bool is_tcpq(const std::string& url) {
+  return url.rfind("tcpq://", 0) == 0;
+}
+
 // The path in a file:// URL.
 inline std::string file_path(const std::string& url) {
   const std::string path = url.substr(std::string("file://").size());

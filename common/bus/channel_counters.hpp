@@ -1,21 +1,29 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 
 #include "common/bus/sequence_monitor.hpp"
 
 namespace markservo::bus {
 
-// The last few hundred latencies of a channel, for percentiles that follow the present.
+// The latencies of a channel's last few hundred messages and last half minute, for percentiles that follow the present.
 class LatencyWindow {
  public:
-  void add(double seconds);
+  using Time = std::chrono::steady_clock::time_point;
+
+  void add(double seconds, Time now);
   // The value below which `share` (0..1) of the window lies, s; 0 when empty.
-  double percentile(double share) const;
+  double percentile(double share, Time now) const;
 
  private:
-  std::array<double, 512> values_{};
+  struct Latency {
+    double seconds = 0.0;
+    Time when;
+  };
+
+  std::array<Latency, 512> values_{};
   std::size_t count_ = 0;
   std::size_t next_ = 0;
 };
@@ -26,7 +34,7 @@ struct ChannelCounters {
   int64_t skipped = 0;
   int64_t decode_failures = 0;
   int64_t refused = 0;
-  int64_t newest_utime = -1;  // us; -1 before the first
+  int64_t newest_utime = -1;  // us, of those on the bus's time line; -1 before the first
   SequenceMonitor sequence;
   LatencyWindow latency;
 };

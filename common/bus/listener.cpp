@@ -3,16 +3,28 @@
 #include <cerrno>
 #include <utility>
 
-#include "common/bus/bus.hpp"
+#include "common/bus/bus_unavailable.hpp"
 #include "common/bus/end_signals.hpp"
-#include "common/bus/network_check.hpp"
+#include "common/bus/reachability.hpp"
 
 namespace markservo::bus {
 
+namespace {
+
+// The URL, if it can be joined.
+const std::string& reachable(const std::string& url) {
+  const Reachability found = reach(url, true);
+  if (found.kind == Reachability::Kind::kReachable) return url;
+  throw BusUnavailable("bus " + url + ": cannot be joined: " + found.reason);
+}
+
+}  // namespace
+
 Listener::Listener(const std::string& url, const std::string& pattern, int queue, Handler handler)
-    : url_(url), handler_(std::move(handler)), lcm_(url) {
-  if (!lcm_.good()) throw BusUnavailable("bus " + url + ": cannot be joined; " + multicast_route_advice());
+    : url_(reachable(url)), handler_(std::move(handler)), lcm_(url) {
+  if (!lcm_.good()) throw BusUnavailable("bus " + url + ": cannot be joined");
   lcm_.subscribeFunction(pattern, receive, this)->setQueueCapacity(queue);
+  if (lcm_.getFileno() < 0) throw BusUnavailable("bus " + url + ": cannot be heard");
   note_end_signals(true);
 }
 

@@ -1,40 +1,47 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <lcm/lcm-cpp.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "common/bus/message_rules.hpp"
-#include "common/bus/message_traits.hpp"
+#include "common/messages/message_rules.hpp"
 
 namespace markservo::bus {
+
+// What a publisher needs from the bus it belongs to, and outlives no more than that.
+class MessageSink {
+ public:
+  virtual ~MessageSink() = default;
+  // False if the network refused the bytes, which is counted; they are not kept.
+  virtual bool send(const std::string& full_channel, const void* data, std::size_t size) = 0;
+};
 
 // Sends one type on one channel; gives streams their session and seq.
 template <class M>
 class Publisher {
  public:
-  Publisher(lcm::LCM* lcm, std::string channel, int64_t session)
-      : lcm_(lcm), channel_(std::move(channel)), session_(session) {}
+  Publisher(MessageSink* sink, std::string channel, int64_t session)
+      : sink_(sink), channel_(std::move(channel)), session_(session) {}
 
-  // Fills session and seq (of types that have both) and sends. Throws std::invalid_argument, and sends nothing, if the
-  // message breaks its type's rules or a length field disagrees with its vector; std::runtime_error if the bus refuses.
+  // Fills session and seq (of types that have both), makes the texts fit and sends. Throws std::invalid_argument, and
+  // sends nothing, if the message breaks its type's rules or a length field disagrees with its vector. What the network
+  // refuses is counted by the bus, and missing in seq as any message lost on its way; it is not sent again.
   void publish(M& message) {
-    if constexpr (has_seq<M>::value) {
+    if constexpr (messages::has_seq<M>::value) {
       message.session = session_;
       message.seq = seq_ + 1;
     }
-    if (const std::string why = broken_rule(message); !why.empty()) {
+    messages::clean_texts(message);
+    if (const std::string why = messages::broken_rule(message); !why.empty()) {
       throw std::invalid_argument("publish on " + channel_ + ": " + why);
     }
     buffer_.resize(static_cast<std::size_t>(message.getEncodedSize()));
     const int size = message.encode(buffer_.data(), 0, static_cast<int>(buffer_.size()));
     if (size < 0) throw std::invalid_argument("publish on " + channel_ + ": a length field disagrees with its vector");
-    if (lcm_->publish(channel_, buffer_.data(), static_cast<unsigned int>(size)) < 0) {
-      throw std::runtime_error("publish on " + channel_ + ": the bus refused the message");
-    }
+    sink_->send(channel_, buffer_.data(), static_cast<std::size_t>(size));
     ++seq_;
   }
 
@@ -44,7 +51,7 @@ class Publisher {
   int64_t session() const { return session_; }
 
  private:
-  lcm::LCM* lcm_;
+  MessageSink* sink_;
   std::string channel_;
   int64_t session_;
   int64_t seq_ = 0;

@@ -17,16 +17,16 @@ class RawSubscription final : public Subscription {
   using Handler = std::function<bool(const void* data, std::size_t size)>;
 
   RawSubscription(SubscriptionHost* host, std::string channel, Handler handler)
-      : Subscription(std::move(channel)), host_(host), handler_(std::move(handler)) {}
+      : Subscription(host, std::move(channel)), handler_(std::move(handler)) {}
 
   void receive(const void* data, std::size_t size) override {
+    note_arrival();
     try {
       const bool used = handler_(data, size);
-      ++counters_.received;
+      note_accepted();
       if (!used) ++counters_.skipped;
     } catch (const std::exception& error) {
-      ++counters_.refused;
-      host_->complain(channel_, error.what());
+      refuse(error.what());
     }
   }
 
@@ -34,7 +34,6 @@ class RawSubscription final : public Subscription {
   void dispatch() override {}
 
  private:
-  SubscriptionHost* host_;
   Handler handler_;
 };
 

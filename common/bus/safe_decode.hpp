@@ -4,8 +4,8 @@
 // larger than the message justifies (lcmtypes/HardenGeneratedType.cmake bounds the generated code's lengths).
 
 #include <lcm/lcm_coretypes.h>
-#include <cstdint>
 
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <string>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 namespace markservo::bus {
 
@@ -20,6 +21,9 @@ inline int64_t sequence_gap(int64_t before, int64_t after) {
 // once; when an earlier session speaks again, two write at the same time.
 class SequenceMonitor {
  public:
+  //
+  // A number far from all others, which a hostile or broken writer sends, counts for nothing unless the next goes on
+  // from it: then there was a gap that long.
   void observe(int64_t session, int64_t seq);
 
   int64_t lost() const { return lost_; }
@@ -29,9 +33,13 @@ class SequenceMonitor {
 
  private:
   static constexpr std::size_t kRemembered = 16;  // earlier sessions; more restarts than that in a row prove nothing
+  static constexpr int64_t kFar = 100;            // messages; a longer gap is believed one message later
+
+  void follow(int64_t seq);
 
   int64_t session_ = 0;
   int64_t seq_ = 0;
+  std::optional<int64_t> far_;  // a number far from seq_ that nothing has confirmed yet
   int64_t lost_ = 0;
   bool second_writer_ = false;
   bool session_changed_ = false;

@@ -1,16 +1,15 @@
 #include "common/bus/service.hpp"
 
 #include <malloc.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
 
 #include <fstream>
 #include <iostream>
-#include <memory>
 #include <sstream>
 
+#include "common/bus/log_format.hpp"
 #include "common/bus/session.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/text/text.hpp"
 
 namespace markservo::bus {
 namespace {
@@ -60,6 +59,10 @@ std::string one_line(std::string text) {
   return text;
 }
 
+void complain(const ServiceInfo& info, const std::string& what) {
+  std::cerr << info.name << ": " << text::printable(what) << "\n";
+}
+
 int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const CommonOptions& options) {
   if (options.print_config) {
     std::cout << app.config_to_str(true, true);
@@ -81,6 +84,7 @@ int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const 
   parameters.service_name = info.name;
   parameters.robot = options.robot;
   parameters.config_hash = config_hash(app, options.robot_file);
+  parameters.waits_for_network = service.waits_for_network();
   Bus bus(parameters);
   service.start(bus);
   // One that waits for something has said so.
@@ -111,24 +115,21 @@ int run_service(const ServiceInfo& info, Service& service, int argc, char** argv
   } catch (const CLI::Success& request) {
     return app.exit(request);
   } catch (const CLI::Error& error) {
-    std::cerr << info.name << ": " << one_line(error.what()) << "; see " << info.name << " --help\n";
+    complain(info, one_line(error.what()) + "; see " + info.name + " --help");
     return kExitBadConfiguration;
   }
   // Standard output belongs to what a person asked for (JSON, settings).
-  spdlog::set_default_logger(
-      std::make_shared<spdlog::logger>(info.name, std::make_shared<spdlog::sinks::stderr_color_sink_mt>()));
-  spdlog::set_pattern("%H:%M:%S.%e %n %^%l%$ %v");
-  spdlog::set_level(spdlog::level::from_str(options.log_level));
+  set_up_log(info.name, options.log_level);
   try {
     return serve(info, service, app, options);
   } catch (const ConfigurationError& error) {
-    std::cerr << info.name << ": " << error.what() << "\n";
+    complain(info, error.what());
     return kExitBadConfiguration;
   } catch (const BusUnavailable& error) {
-    std::cerr << info.name << ": " << error.what() << "\n";
+    complain(info, error.what());
     return kExitBusUnavailable;
   } catch (const std::exception& error) {
-    std::cerr << info.name << ": " << error.what() << "\n";
+    complain(info, error.what());
     return kExitFailed;
   }
 }

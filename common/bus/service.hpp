@@ -37,6 +37,9 @@ class Service {
   // False for a source that only writes: then writing a log needs no bus to read, and is the same in every run.
   virtual bool reads_bus() const { return true; }
 
+  // True if a network that is missing, at the start or later, is waited for; false for what a person waits for himself.
+  virtual bool waits_for_network() const { return true; }
+
   // Work that needs no bus (a picture, a snapshot): the exit code ends the program; nothing goes on to the bus.
   virtual std::optional<int> run_alone() { return std::nullopt; }
 

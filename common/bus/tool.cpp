@@ -4,6 +4,7 @@
 
 #include "common/bus/service.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/text/text.hpp"
 
 namespace markservo::bus {
 
@@ -19,7 +20,7 @@ void add_live_bus_option(CLI::App& app, std::string& url) {
 
 int run_tool(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
   const auto complain = [&app](const std::exception& error, int code, const std::string& more = {}) {
-    std::cerr << app.get_name() << ": " << error.what() << more << std::endl;
+    std::cerr << app.get_name() << ": " << text::printable(error.what()) << more << std::endl;
     return code;
   };
   try {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/robot/configuration_error.hpp"
+#include "common/text/text.hpp"
 
 namespace markservo::robot {
 namespace {
@@ -104,9 +105,17 @@ int YamlSection::integer(const std::string& key, int min, int max) {
   return value;
 }
 
+void YamlSection::require_harmless(const std::string& key, const std::string& value) const {
+  if (text::violation(key, value).empty()) return;
+  fail(key, "'" + text::printable(value) + "'",
+       "a text of at most " + std::to_string(text::kMaxBytes) +
+           " bytes of UTF-8, without control characters and marks of direction");
+}
+
 std::string YamlSection::text(const std::string& key) {
   const YAML::Node node = required(key);
   if (!node.IsScalar() || node.Scalar().empty()) fail(key, node_text(node), "a text");
+  require_harmless(key, node.Scalar());
   return node.Scalar();
 }
 
@@ -135,6 +144,7 @@ std::vector<std::string> YamlSection::texts(const std::string& key) {
   std::vector<std::string> values;
   for (const auto& item : node) {
     if (!item.IsScalar() || item.Scalar().empty()) fail(key, "a list with " + node_text(item), "a list of texts");
+    require_harmless(key, item.Scalar());
     values.push_back(item.Scalar());
   }
   return values;

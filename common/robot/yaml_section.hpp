@@ -45,6 +45,8 @@ class YamlSection {
   [[noreturn]] void fail(const std::string& key, const std::string& value, const std::string& allowed) const;
 
  private:
+  // A name travels in messages and is shown to people.
+  void require_harmless(const std::string& key, const std::string& value) const;
   YamlSection(std::string path, std::string prefix, const YAML::Node& node);
   YAML::Node required(const std::string& key);
   std::string full(const std::string& key) const;

@@ -54,8 +54,35 @@ begin_manifest() {
     '{format_version: 1, $name, $note, $start, end: null, ended_by: null, $host, $lcm_url, $robot, $lcm_version,
       $source, with_frames: ($frames == "yes"), split_mb: $split, keep_parts: $keep, min_free_mb: $min_free,
       types: $types[0], configuration: $configuration[0], logger: null, parts: [], parts_removed: 0, events: null,
-      lost: null, damage: null, channels: null}')
+      lost: null, damage: null, channels: null, gaps: []}') || return
+  # A child that Ctrl-C ended leaves a text that is none.
+  jq -e '.start.utime > 0' <<<"$text" >/dev/null || return
   write_manifest "$folder" "$text"
+}
+
+# begin_gap FROM EXIT_CODE: notes in $folder's manifest that lcm-logger ended so, and that since FROM (as instant takes
+# it) nothing is recorded. A thousand gaps are told one by one; after that the last one grows.
+begin_gap() {
+  local text signal=null
+  if (($2 > 128)); then signal=$(($2 - 128)); fi
+  text=$(jq --argjson from "$(instant "$1")" --argjson exit_code "$2" --argjson signal "$signal" \
+    --arg reason "lcm-logger $(how_it_ended "$2")" \
+    'if (.gaps | length) >= 1000 then .gaps[-1] |= (.to = null | .times += 1)
+     else .gaps += [{$from, to: null, $exit_code, $signal, $reason, times: 1}] end' "$folder/manifest.json") || return
+  write_manifest "$folder" "$text"
+}
+
+# end_gap TO: since TO it is recorded again.
+end_gap() {
+  local text
+  text=$(jq --argjson to "$(instant "$1")" '.gaps[-1].to = $to' "$folder/manifest.json") || return
+  write_manifest "$folder" "$text"
+}
+
+# gaps_of FOLDER: how long nothing was recorded, and why, in one line.
+gaps_of() {
+  jq -r '(.gaps | map(((.to // .from).utime - .from.utime) / 1e6) | add // 0) as $seconds |
+    "\($seconds * 100 | round / 100) s are missing (" + (.gaps | map(.reason) | unique | join(", ")) + ")"' "$1/manifest.json"
 }
 
 # counts FOLDER: what log-tool finds in the recording; null where it cannot tell.
@@ -80,7 +107,7 @@ complete_manifest() {
       jq -cn --arg file "$name" --argjson bytes "$(stat -c %s -- "$1/$name")" '{$file, $bytes}'
     done | jq -cs .) \
     --slurpfile counts <(counts "$1") \
-    '$counts[0] as $c | .end = $ended | .ended_by = $ended_by | .logger = {$exit_code, $said} | .parts = $parts[0] |
+    '$counts[0] as $c | .gaps = [.gaps[]? | .to = (.to // $ended)] | .end = $ended | .ended_by = $ended_by | .logger = {$exit_code, $said} | .parts = $parts[0] |
       .parts_removed = $removed |
       if $c == null then . else
         .channels = $c.channels | .events = ($c.channels | map(.events) | add // 0) |
@@ -96,6 +123,7 @@ told_of() {
   jq -r '(.parts | map(.bytes) | add // 0) as $bytes |
     "\((.end.utime - .start.utime) / 1e5 | round / 10) s, \($bytes / 1e5 | round / 10) MB in \(.parts | length) file(s)" +
     (if .events == null then "" else ", \(.events) messages on \(.channels | length) channels, \(.lost) lost" end) +
+    (if (.gaps // []) == [] then "" else ", not recorded for \(.gaps | map((.to.utime - .from.utime) / 1e6) | add * 10 | round / 10) s" end) +
     (if (.damage // []) == [] then "" else ", torn at the end or damaged (scripts/log info tells where)" end)' \
     "$1/manifest.json"
 }

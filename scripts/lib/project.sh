@@ -18,6 +18,14 @@ fail() {
   exit 1
 }
 
+# fail_with CODE TEXT...: as fail, with an exit code of its own.
+fail_with() {
+  local code=$1
+  shift
+  warn "$@"
+  exit "$code"
+}
+
 # usage_error TEXT...: as fail, but with exit code 2 and a pointer to --help.
 usage_error() {
   warn "$*; see scripts/$script_name --help"

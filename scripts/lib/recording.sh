@@ -16,14 +16,6 @@ new_dated_folder() {
 # point_latest_to FOLDER: logs/latest, for a folder in logs/.
 point_latest_to() { ln -sfn -- "${1##*/}" "$repository/logs/latest"; }
 
-# fail_with CODE TEXT...: as fail, with an exit code of its own.
-fail_with() {
-  local code=$1
-  shift
-  warn "$@"
-  exit "$code"
-}
-
 # with_receive_buffer URL: the URL as lcm-logger needs it: the kernel's default buffer loses raw frames.
 with_receive_buffer() {
   case $1 in

@@ -5,20 +5,14 @@
 listen_s=1.6 # every service speaks once a second, later on a busy host
 settle_s=2   # for services that wait for others, where that is no failure
 
-# remember_bus: notes for later calls where the services of this stack can be heard, from this call's options.
-remember_bus() { printf '%s\n' "${lcm_url:-$default_lcm_url}" "$build_dir" "$profile" >"$runtime_dir/bus"; }
-
 # note_bus: sets bus_url, census (the executable; empty when there is none, or no bus that others can hear) and
-# stack_profile. Options that restart the whole stack move it.
+# stack_profile, all as the whole stack was started.
 note_bus() {
-  local build
-  if [[ $options_given == yes && $action == restart && ${#services[@]} == 0 ]]; then
-    local profile
-    profile=$(sed -n 3p "$runtime_dir/bus")
-    remember_bus
-  fi
-  { read -r bus_url && read -r build && read -r stack_profile; } <"$runtime_dir/bus" || true
-  census=$build/bin/bus-census
+  local -A options=()
+  stack_options options
+  bus_url=${options[lcm_url]:-$default_lcm_url}
+  stack_profile=${options[profile]}
+  census=${options[build_dir]}/bin/bus-census
   [[ $bus_url == udpm://* && -x $census ]] || census=''
 }
 
@@ -78,36 +72,82 @@ last_complaints() {
   done
 }
 
+# hear_bus FILE: writes what was heard on the stack's bus: by what watches over it, else by listening now; nothing where
+# nobody can be heard.
+hear_bus() {
+  if [[ -S $runtime_dir/watch.sock ]] && "$repository/scripts/lib/read-socket" "$runtime_dir/watch.sock" >"$1"; then
+    return
+  fi
+  : >"$1"
+  if [[ -n $census ]]; then "$census" --lcm-url "$bus_url" --for "$listen_s" --json >"$1" || true; fi
+}
+
 # status: see scripts/stack's usage.
 status() {
-  local heard='' processes='' complaints report verdict listener=''
-  if [[ -S $runtime_dir/supervisor.sock ]]; then
-    log_dir=$(readlink -- "$runtime_dir/logs")
-    note_bus
-    # Only descriptors wait for it: what it prints is read once the rest is known.
-    if [[ -n $census ]]; then
-      exec {listener}< <("$census" --lcm-url "$bus_url" --for "$listen_s" --json)
-    fi
-    complaints=$(last_complaints)
-    if [[ -n $listener ]]; then heard=$(cat <&"$listener"); fi
-    processes=$(supervise states "${services[@]}" 2>/dev/null) || processes=''
+  local work verdict=0
+  work=$(mktemp -d)
+  report_status "$work" || verdict=$?
+  rm -rf -- "$work"
+  return "$verdict"
+}
+
+# report_status FOLDER: the same, with a folder for what is heard, which may be more than a command line takes.
+report_status() {
+  local work=$1 supervisor=alive verdict listening
+  : >"$work/processes"
+  if [[ -O $runtime_dir && -d $runtime_dir/services ]]; then
+    log_dir=$(readlink -- "$runtime_dir/logs") || true
+    supervise states "${services[@]}" >"$work/processes" 2>/dev/null || {
+      orphans >"$work/processes"
+      supervisor=dead
+    }
   fi
-  if [[ -z $processes ]]; then
+  if [[ ! -s $work/processes ]]; then
     if [[ $json == yes ]]; then say '{"stack":null}'; else say "no stack runs in $runtime_dir"; fi
     return 3
   fi
-  report=$(jq -rs --argjson heard "${heard:-null}" --arg complaints "$complaints" --arg json "$json" \
-    -f "$repository/scripts/lib/stack-status.jq" <<<"$processes")
-  verdict=${report%%$'\n'*}
-  report=${report#*$'\n'}
-  if [[ $json == yes ]]; then
-    say "$report"
+  note_bus
+  hear_bus "$work/heard" &
+  listening=$!
+  last_complaints >"$work/complaints"
+  wait "$listening"
+  jq -rs --slurpfile heard "$work/heard" --rawfile complaints "$work/complaints" --arg json "$json" \
+    --arg supervisor "$supervisor" -f "$repository/scripts/lib/stack-status.jq" "$work/processes" >"$work/report"
+  { read -r verdict && if [[ $json == yes ]]; then cat; else columns; fi; } <"$work/report"
+  if [[ $json == no ]]; then tell_of_watch "$work/heard"; fi
+  case $supervisor:$verdict in
+    dead:*)
+      warn "the supervisor is dead: services still run, pids $(jq -r .pid "$work/processes" | paste -sd ' '); nobody" \
+        "starts them again; scripts/stack start replaces them, scripts/stack stop ends them"
+      return 4
+      ;;
+    *:well) ;;
+    *) return 1 ;;
+  esac
+}
+
+# columns: lays out the table, of cells between tabs.
+columns() {
+  awk -F '\t' '{ line = sprintf("%-18s %-9s %8s %9s  %-12s %6s %7s %5s %7s %7s %7s  %s",
+    $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12); sub(/ +$/, "", line); print line }'
+}
+
+# tell_of_watch FILE: who listened, and whom it killed; FILE is what hear_bus wrote.
+tell_of_watch() {
+  if [[ ! -s $1 ]]; then
+    say "nobody was listened to: supervisor's words only"
+  elif jq -e 'has("watch")' "$1" >/dev/null; then
+    jq -r '.watch | "stack-watch (pid \(.pid)) listens; one that says nothing for " +
+      "\(.silence_limit_s | round) s is killed" +
+      (if .kills == [] then "" else "; killed: " + ([.kills[-3:][] | "\(.name) (\(.utime / 1e6 | floor |
+        strflocaltime("%H:%M:%S")), silent for \(.silent_s | floor) s)"] | join(", ")) end) +
+      (if .bus then "; " + .bus else "" end) +
+      (if .crafted_fragments > 0 then "; \(.crafted_fragments) crafted fragments came" else "" end)' "$1"
+  elif [[ -e $runtime_dir/no-watch ]]; then
+    say "nobody watches (--no-watch): a service that hangs stays so"
   else
-    awk -F '\t' '{ line = sprintf("%-18s %-9s %8s %9s  %-12s %6s %7s %5s %7s %7s %7s  %s",
-      $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12); sub(/ +$/, "", line); print line }' <<<"$report"
-    if [[ -z $heard ]]; then say "nobody was listened to: supervisor's words only"; fi
+    say "stack-watch does not run: a service that hangs stays so"
   fi
-  [[ $verdict == well ]]
 }
 
 # show_logs logs|tail: see scripts/stack's usage.

@@ -1,6 +1,8 @@
-# Joins supervisor's words (the input: an array) with bus-census's report ($heard, or null) and the logs' last complaints
-# ($complaints: lines of service, tab, complaint). The first line is `well` or `wrong`; then comes, where $json is "yes",
-# {"heard", "bus", "services": [...]}, `wrong` listing what is wrong with each, or else a table, a line a service, with tabs.
+# Joins supervisor's words (the input: an array) with what was heard on the bus ($heard: an array of one report as
+# bus-census or stack-watch gives it, or of none) and the logs' last complaints ($complaints: lines of service, tab,
+# complaint). $supervisor is "alive" or "dead". The first line is `well` or `wrong`; then comes, where $json is "yes",
+# {"heard", "bus", "supervisor", "watch", "services": [...]}, `wrong` listing what is wrong with each, or else a table, a
+# line a service, with tabs.
 
 def ms: if . == null then "-" else . * 1000 | round | tostring end;
 def hz: if . == null then "-" else . * 10 | round / 10 | tostring end;
@@ -11,17 +13,25 @@ def duration: floor | [. / 3600, . % 3600 / 60, . % 60] | map(floor)
   | "\(.[0]):\(.[1] + 100 | tostring[1:]):\(.[2] + 100 | tostring[1:])";
 
 ($complaints | split("\n") | map(split("\t") | {(.[0] // ""): (.[1] // "")}) | add // {}) as $complaint_of
+| $heard[0] as $heard
 | ($heard.host) as $host
-| {heard: ($heard != null), bus: ($heard.url), services: map(
+# Of many robots' services and channels, only these are looked at below.
+| (map(.name) | unique) as $names
+| [$heard.services[]? | select(.name as $name | $names | index($name))] as $words
+| {heard: ($heard != null), bus: ($heard.url), $supervisor, watch: $heard.watch, services: map(
     . as $process
-    | [$heard.services[]? | select(.name == $process.name and .host == $host and .pid == $process.pid)][-1] as $word
+    | [$words[] | select(.name == $process.name and .host == $host and .pid == $process.pid)][-1] as $word
     | [$heard.channels[]? | . as $channel
         | select($word != null and ($word.writes | index($channel.channel)))] as $writes
     # Supervisor calls a process running once it has lived for a second; its own word counts for more.
     | (if .state == "STARTING" and $word != null then "RUNNING" else .state end) as $state
+    | ($state == "RUNNING" or $state == "ORPHAN") as $lives
     | {
         name, state: $state, pid, uptime_s, spawn_error,
-        says: $word.state, reason: $word.reason, ready: (if $heard == null then null else $word.ready == true end),
+        says: $word.state, says_for_s: $word.state_for_s, reason: $word.reason,
+        # What was said before it fell silent does not count: each speaks once a second.
+        ready: (if $heard == null then null else $word.ready == true and $word.silent_s < 3 end),
+        silent_s: $word.silent_s, crashes, next_start_s,
         hz: ([$writes[].hz] | max),
         age_s: ([$word.channels[]?.age_s | select(. >= 0)] | max),
         lost: (if $word then [$word.channels[].lost] | add // 0 else null end),
@@ -32,15 +42,22 @@ def duration: floor | [. / 3600, . % 3600 / 60, . % 60] | map(floor)
         writes: [$writes[] | {channel, hz, bytes_per_s}], channels: ($word.channels // []),
         last_complaint: ($complaint_of[.name] // ""),
         wrong: [
-          (if $state != "RUNNING" then "does not run" + (if .spawn_error == "" then "" else ": " + .spawn_error end)
+          (if $state == "BACKOFF" then "crashed \(.crashes) times in a row" +
+             (if .next_start_s then ", is started again in \(.next_start_s | ceil) s" else "" end)
+           elif $lives | not then
+             "does not run" + (if .spawn_error != "" then ": " + .spawn_error elif $state == "EXITED" then
+               " (exit code \(.exit_code))" else "" end)
            else empty end),
-          (if $state == "RUNNING" and $heard != null and $word == null then "says nothing on the bus" else empty end),
+          (if $state == "ORPHAN" then "has no supervisor" else empty end),
+          (if $lives and $heard != null and $word == null then "says nothing on the bus" else empty end),
+          (if $lives and $word.silent_s >= 3 then "has said nothing on the bus for \($word.silent_s | floor) s" else empty end),
           (if $word and ($word.ready | not) then
-             "not ready: " + $word.state + (if $word.reason == "" then "" else ": " + $word.reason end)
+             "not ready: " + $word.state + (if $word.reason == "" then "" else ": " + $word.reason end) +
+               (if $word.state_for_s == null then "" else " (for \($word.state_for_s | floor) s)" end)
            else empty end),
           # Who has run for longer than was listened was not restarted meanwhile: who else speaks is another one.
-          ([$heard.services[]? | select($word != null and $process.uptime_s > 3 and .name == $word.name
-              and .robot == $word.robot and .session != $word.session)][0] // empty
+          ([$words[] | select($word != null and .name == $word.name and .robot == $word.robot
+              and .session != $word.session and ($process.uptime_s > $heard.listened_s + 1.5 or $word.duplicate))][0] // empty
             | "another process of this name is on the bus: \(.pid) on \(.host)"),
           ($writes[] | select(.two_writers) | "another one writes \(.channel) too"),
           ($writes[] | select(.several_types) | "\(.channel) carries several types")

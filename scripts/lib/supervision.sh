@@ -2,22 +2,39 @@
 # One stack of services under one supervisord, described by the files in its runtime folder. To be sourced after
 # project.sh; works on the variables runtime_dir and log_dir (absolute paths).
 
-# ctl ARGUMENT...: supervisorctl of this stack.
-ctl() { supervisorctl -c "$runtime_dir/supervisord.conf" "$@"; }
-
-# supervise ACTION [ARGUMENT...]: the same without supervisorctl's waiting; scripts/lib/supervise explains the actions.
+# supervise ACTION [ARGUMENT...]: asks its supervisord; scripts/lib/supervise explains the actions.
 supervise() { "$repository/scripts/lib/supervise" "$runtime_dir/supervisor.sock" "$@"; }
 
 # is_running: whether this stack's supervisord answers.
 is_running() { [[ -S $runtime_dir/supervisor.sock ]] && supervise alive 2>/dev/null; }
 
-# configured_services: the services this stack knows, one a line.
-configured_services() { find "$runtime_dir/services" -name '*.conf' -printf '%f\n' | sed 's/\.conf$//' | sort; }
+# configured_services: the services this stack knows, one a line; what watches over them is none.
+configured_services() {
+  find "$runtime_dir/services" -name '*.conf' ! -name stack-watch.conf -printf '%f\n' | sed 's/\.conf$//' | sort
+}
 
 # processes: the process ids of everything this stack has started, supervisord too, one a line.
 processes() {
   # All of them carry the mark that start_supervisor sets, even when their supervisor has died.
   grep -lszxF -- "MARKSERVO_STACK=$runtime_dir" /proc/[0-9]*/environ | cut -d/ -f3
+}
+
+# orphans: the services that this stack has started and that still run, as `supervise states` prints them, with state
+# ORPHAN: for when there is no supervisor to ask.
+orphans() {
+  local pid name parent uptime all=" "
+  local -a pids
+  mapfile -t pids < <(processes)
+  all+="${pids[*]} "
+  all=${all/ $(cat -- "$runtime_dir/supervisord.pid" 2>/dev/null || echo none) / }
+  for pid in "${pids[@]}"; do
+    name=$(tr '\0' '\n' 2>/dev/null <"/proc/$pid/environ" | sed -n 's/^SUPERVISOR_PROCESS_NAME=//p') || continue
+    read -r parent uptime < <(ps -o ppid=,etimes= -p "$pid") || continue
+    # What watches over them is none, and neither is what one of them has started.
+    if [[ ! $name =~ ^[a-z][a-z0-9-]*$ || $name == stack-watch || $all == *" $parent "* ]]; then continue; fi
+    jq -cn --arg name "$name" --argjson pid "$pid" --argjson uptime "$uptime" '{$name, state: "ORPHAN", $pid,
+      uptime_s: $uptime, spawn_error: "", exit_code: 0, crashes: 0, next_start_s: null}'
+  done | jq -cs 'sort_by(.name)[]'
 }
 
 # end_processes: waits 2 s for what is left of the stack to end by itself, then sends SIGTERM and, 2 s later, SIGKILL.
@@ -66,21 +83,15 @@ render() {
 # returns.
 start_supervisor() {
   local service
-  rm -rf -- "${runtime_dir:?}/services" "${runtime_dir:?}/launch"
-  mkdir -- "$runtime_dir/services" "$runtime_dir/launch"
+  rm -rf -- "${runtime_dir:?}"/{services,launch,options,starts}
+  # A dead supervisor's socket would be told of by the next.
+  rm -f -- "$runtime_dir/supervisor.sock"
+  mkdir -- "$runtime_dir"/{services,launch,options,starts}
   ln -sfn -- "$log_dir" "$runtime_dir/logs"
   sed '/^\[program:/,$d' "$repository/config/supervisord.conf" | render '' >"$runtime_dir/supervisord.conf"
   for service; do render_service "$service"; done
-  env MARKSERVO_STACK="$runtime_dir" supervisord -c "$runtime_dir/supervisord.conf"
-}
-
-# set_launch SERVICE COMMAND [ARGUMENT...]: how the next start of SERVICE runs it.
-set_launch() {
-  local service=$1
-  shift
-  # A file of its own spares the arguments supervisor's rules for %, quotes and comments.
-  printf '# How scripts/stack runs %s.\ncd %q\nexec %s\n' "$service" "$repository" "${*@Q}" \
-    >"$runtime_dir/launch/$service"
+  # In a session of its own: Ctrl-C is for this script.
+  setsid --wait env MARKSERVO_STACK="$runtime_dir" supervisord -c "$runtime_dir/supervisord.conf" </dev/null
 }
 
 # render_service SERVICE: writes its [program] section.
@@ -92,9 +103,5 @@ render_service() {
 add_service() {
   if [[ -f $runtime_dir/services/$1.conf ]]; then return; fi
   render_service "$1"
-  ctl reread >/dev/null
-  ctl add "$1" >/dev/null
+  supervise add "$1"
 }
-
-# is_launched SERVICE: whether set_launch was called for it since the stack was started.
-is_launched() { [[ -f $runtime_dir/launch/$1 ]]; }

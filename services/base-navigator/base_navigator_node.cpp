@@ -2,12 +2,10 @@
 
 #include <spdlog/spdlog.h>
 
-#include <markservo/BaseGoal.hpp>
-#include <markservo/SonarScan.hpp>
-#include <markservo/StopState.hpp>
 #include <stdexcept>
 
 #include "common/bus/number_options.hpp"
+#include "common/messages/motion_messages.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/stop_device.hpp"
 #include "services/base-navigator/navigator_messages.hpp"
@@ -15,34 +13,12 @@
 namespace markservo::base_navigator {
 namespace {
 
+using messages::drop;
+using messages::stamp_of;
+
 constexpr double kLongestWait_s = 0.1;  // since the newest pose, up to which the one that answers is waited for
 constexpr std::chrono::milliseconds kWatch(100);
 constexpr std::chrono::milliseconds kSilence(300);
-
-const char* name_of(DriveState state) {
-  switch (state) {
-    case DriveState::kHold:
-      return "hold";
-    case DriveState::kDriving:
-      return "driving";
-    case DriveState::kArrived:
-      return "arrived";
-    case DriveState::kBlocked:
-      return "blocked";
-    case DriveState::kLost:
-      return "lost";
-    case DriveState::kStale:
-      return "stale";
-    case DriveState::kStopped:
-      return "stopped";
-  }
-  return "unknown";
-}
-
-// Counted as refused on its channel, and logged.
-void refuse(const std::string& problem) {
-  if (!problem.empty()) throw std::invalid_argument(problem);
-}
 
 }  // namespace
 
@@ -107,33 +83,88 @@ void BaseNavigatorNode::configure(const std::string& robot_file) {
 
 void BaseNavigatorNode::start(bus::Bus& bus) {
   bus_ = &bus;
+  base_.emplace(stop_device_);
   commands_.emplace(bus.advertise(channels::kBaseCommand));
   statuses_.emplace(bus.advertise(channels::kBaseStatus));
-  bus.on_each(channels::kStopState, [this](const StopState& stop) {
-    if (stop.device == stop_device_) navigator_->observe_stop(stop.latched != 0, stop.reason, state_);
-  });
-  bus.on_each(channels::kBaseGoal,
-              [this](const BaseGoal& goal) { refuse(navigator_->observe(goal_of(goal), state_)); });
-  bus.on_each(channels::kSonarScan,
-              [this](const SonarScan& scan) { refuse(navigator_->observe(scan_sample(scan), state_)); });
-  bus.on_each(channels::kWheelOdometry, [this](const WheelOdometry& odometry) { handle(odometry); });
-  bus.on_each(channels::kRobotPose, [this](const RobotPose& pose) { handle(pose); });
+  stops_.emplace(bus.advertise(channels::kStop));
+  bus.on_each(channels::kStopState, [this](const StopState& stop) { on_stop(stop); });
+  bus.on_each(channels::kBaseGoal, [this](const BaseGoal& goal) { on_goal(goal); });
+  bus.on_each(channels::kSonarScan, [this](const SonarScan& scan) { on_scan(scan); });
+  bus.on_each(channels::kWheelOdometry, [this](const WheelOdometry& odometry) { on_odometry(odometry); });
+  bus.on_each(channels::kRobotPose, [this](const RobotPose& pose) { on_pose(pose); });
+  bus.need(channels::kWheelOdometry);
+  bus.need(channels::kRobotPose);
+  bus.need(channels::kSonarScan);
+  bus.need(channels::kStopState);
   bus.every(kWatch, [this] { watch_for_odometry(); });
   bus.set_state("stale", "no WHEEL_ODOMETRY yet");
 }
 
-void BaseNavigatorNode::handle(const WheelOdometry& odometry) {
+void BaseNavigatorNode::on_stop(const StopState& stop) {
+  if (stop.device != stop_device_) return;
+  const motion::Word word = base_->hear_stop_state(stamp_of(stop), stop.latched != 0, stop.reason);
+  if (word == motion::Word::kReplaced) navigator_->begin_anew("the base began anew", state_);
+  const std::string why = motion::why_dropped(word);
+  if (why.empty()) navigator_->observe_stop(*base_->latched(), base_->stop_reason(), state_);
+  after_input();
+  drop(why);
+}
+
+void BaseNavigatorNode::on_goal(const BaseGoal& goal) {
+  const motion::GoalHeard heard = navigator_->observe(goal_of(goal), state_);
+  if (heard == motion::GoalHeard::kContested) base_->raise(state_.goals.two());
+  after_input();
+  if (heard == motion::GoalHeard::kNew) drop(state_.refusal);
+}
+
+motion::Word BaseNavigatorNode::hear_report(const char* channel, const motion::Stamp& stamp) {
+  const motion::Word word = base_->hear_report(channel, stamp);
+  if (word == motion::Word::kAnew) {
+    navigator_->begin_anew(std::string("the clock of ") + channel + " was set back", state_);
+    pacing_ = AnswerPacing();
+    pose_.reset();
+  }
+  after_input();
+  drop(motion::why_dropped(word));
+  return word;
+}
+
+void BaseNavigatorNode::on_scan(const SonarScan& scan) {
+  hear_report(channels::kSonarScan.name, stamp_of(scan));
+  drop(navigator_->observe(scan_sample(scan), state_));
+}
+
+void BaseNavigatorNode::on_odometry(const WheelOdometry& odometry) {
+  hear_report(channels::kWheelOdometry.name, stamp_of(odometry));
   heard_odometry_ = std::chrono::steady_clock::now();
   if (const auto overdue = pacing_.next(identity(odometry))) answer(*overdue);
   const std::string problem = navigator_->observe(odometry_sample(odometry), state_);
   if (const auto due = pacing_.due(pose_, kLongestWait_s)) answer(*due);
-  refuse(problem);
+  drop(problem);
 }
 
-void BaseNavigatorNode::handle(const RobotPose& pose) {
+void BaseNavigatorNode::on_pose(const RobotPose& pose) {
+  const motion::Heard heard = base_->hear_stream(channels::kRobotPose.name, stamp_of(pose));
+  after_input();
+  drop(motion::why_dropped(heard));
   pose_ = identity(pose);
   navigator_->observe(pose_sample(pose), state_);
   if (const auto due = pacing_.due(pose_, kLongestWait_s)) answer(*due);
+}
+
+// What two that claim to be one lead to.
+void BaseNavigatorNode::after_input() {
+  state_.blocked = base_->blocked();
+  if (const auto wish = base_->stop_due()) {
+    StopRequest stop = messages::stop_request(*wish, base_->now(), bus_->session(), "base-navigator");
+    stops_->publish(stop);
+  }
+}
+
+std::string BaseNavigatorNode::notice() const {
+  if (!base_->blocked().empty()) return base_->blocked();
+  std::string second = state_.goals.second(base_->now(), parameters_.trust.goal_age);
+  return second.empty() ? base_->stranger() : second;
 }
 
 // The status first: who waits for the command of an odometry then has both.
@@ -153,10 +184,14 @@ void BaseNavigatorNode::watch_for_odometry() {
 }
 
 void BaseNavigatorNode::tell(DriveState state, const std::string& reason) {
-  if (told_ == state) return;  // reasons may hold numbers that change with every answer
+  const std::string others = notice();
+  if (told_ == state && told_notice_ == others) return;  // reasons may hold numbers that change with every answer
   told_ = state;
-  bus_->set_state(name_of(state), reason);
-  spdlog::info("{}{}{}", name_of(state), reason.empty() ? "" : ": ", reason);
+  told_notice_ = others;
+  std::string words = reason;
+  if (!others.empty() && others != reason) words += (reason.empty() ? "" : "; ") + others;
+  bus_->set_state(name_of(state), words);
+  spdlog::info("{}{}{}", name_of(state), words.empty() ? "" : ": ", words);
 }
 
 }  // namespace markservo::base_navigator

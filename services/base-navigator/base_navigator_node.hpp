@@ -2,21 +2,27 @@
 
 #include <chrono>
 #include <markservo/BaseCommand.hpp>
+#include <markservo/BaseGoal.hpp>
 #include <markservo/BaseStatus.hpp>
 #include <markservo/RobotPose.hpp>
+#include <markservo/SonarScan.hpp>
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
 #include <markservo/WheelOdometry.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "common/bus/service.hpp"
+#include "common/motion/mover_watch.hpp"
 #include "services/base-navigator/answer_pacing.hpp"
 #include "services/base-navigator/navigator.hpp"
 
 namespace markservo::base_navigator {
 
 // BASE_GOAL, ROBOT_POSE, SONAR_SCAN, WHEEL_ODOMETRY and STOP_STATE in; BASE_STATUS and then BASE_COMMAND out, one of
-// each per WHEEL_ODOMETRY. Without odometry nothing is sent, and the base's own watchdog stops it.
+// each per WHEEL_ODOMETRY. Without odometry nothing is sent, and the base's own watchdog stops it. When two claim to be
+// the base, or to know where it is, STOP goes out until the base is latched.
 class BaseNavigatorNode : public bus::Service {
  public:
   void add_options(CLI::App& app) override;
@@ -25,8 +31,14 @@ class BaseNavigatorNode : public bus::Service {
 
  private:
   void add_motion_options(CLI::App& app);
-  void handle(const WheelOdometry& odometry);
-  void handle(const RobotPose& pose);
+  void on_stop(const StopState& stop);
+  void on_goal(const BaseGoal& goal);
+  void on_scan(const SonarScan& scan);
+  void on_odometry(const WheelOdometry& odometry);
+  void on_pose(const RobotPose& pose);
+  motion::Word hear_report(const char* channel, const motion::Stamp& stamp);
+  void after_input();
+  std::string notice() const;
   void answer(const OdometryId& odometry);
   void watch_for_odometry();
   void tell(DriveState state, const std::string& reason);
@@ -38,9 +50,12 @@ class BaseNavigatorNode : public bus::Service {
   AnswerPacing pacing_;
   std::optional<OdometryId> pose_;
   bus::Bus* bus_ = nullptr;
+  std::optional<motion::MoverWatch> base_;
+  std::optional<bus::Publisher<StopRequest>> stops_;
   std::optional<bus::Publisher<BaseCommand>> commands_;
   std::optional<bus::Publisher<BaseStatus>> statuses_;
   std::optional<DriveState> told_;
+  std::string told_notice_;
   std::optional<std::chrono::steady_clock::time_point> heard_odometry_;
 };
 

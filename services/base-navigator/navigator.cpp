@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "common/motion/freshness.hpp"
+
 namespace markservo::base_navigator {
 namespace {
 
@@ -41,13 +43,6 @@ NavigatorParameters within_limits(NavigatorParameters parameters, const robot::B
   return parameters;
 }
 
-std::string age_text(const char* what, double seconds, double allowed) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%s is %.2f s %s than WHEEL_ODOMETRY; allowed: %.2f s", what, std::abs(seconds),
-                seconds > 0.0 ? "older" : "newer", allowed);
-  return text;
-}
-
 // Empty unless a scan's value differs so much from robot.yaml's that its echoes mean something else.
 std::string why_unlike(const char* what, double value, double configured, const char* unit) {
   if (value >= configured / kUnlike && value <= configured * kUnlike) return "";
@@ -59,8 +54,7 @@ std::string why_unlike(const char* what, double value, double configured, const 
 
 // Empty unless `utime` is too far from now.
 std::string why_old(const char* what, std::int64_t utime, std::int64_t now, double allowed) {
-  const double age = seconds_between(utime, now);
-  return std::abs(age) > allowed ? age_text(what, age, allowed) : "";
+  return motion::why_not_fresh({what, "WHEEL_ODOMETRY", allowed, allowed}, utime, now);
 }
 
 }  // namespace
@@ -73,11 +67,18 @@ Navigator::Navigator(const robot::RobotDescription& robot, const NavigatorParame
 
 std::string Navigator::observe(const OdometrySample& sample, NavigatorState& state) const {
   if (state.first_utime == 0 || sample.utime < state.first_utime) state.first_utime = sample.utime;
-  const std::int64_t before = state.track.newest_utime();
   state.odometry_problem = state.track.add(parameters_.odometry, sample);
-  const bool clock_went_back = state.track.newest_utime() < before;
-  if (clock_went_back) state.goals.end_unless_near(state.track.newest_utime(), parameters_.trust.goal_age);
   return state.odometry_problem;
+}
+
+void Navigator::begin_anew(const std::string& why, NavigatorState& state) const {
+  state.track.forget();
+  state.first_utime = 0;
+  state.odometry_problem.clear();
+  state.pose.reset();
+  if (state.goal) state.dropped = why + ": the goal was dropped";
+  state.goals.end();
+  state.goal.reset();
 }
 
 void Navigator::observe(const PoseSample& sample, NavigatorState& state) const {
@@ -110,11 +111,15 @@ std::string Navigator::why_scan_is_refused(const SonarScanSample& scan) const {
   return "";
 }
 
-std::string Navigator::observe(const Goal& goal, NavigatorState& state) const {
-  const auto heard = state.goals.hear(goal, state.track.newest_utime(), parameters_.trust.goal_age,
-                                      state.stop_latched.value_or(false));
-  if (heard != GoalMemory::Heard::kNew) return "";
+motion::GoalHeard Navigator::observe(const Goal& goal, NavigatorState& state) const {
+  const auto heard = state.goals.hear({goal.session, goal.id, goal.utime}, state.track.newest_utime(),
+                                      parameters_.trust.goal_age, state.stop_latched.value_or(false));
+  if (!state.goals.goal()) state.goal.reset();
+  if (heard == motion::GoalHeard::kAgain) state.goal->utime = state.goals.goal()->utime;
+  if (heard != motion::GoalHeard::kNew) return heard;
+  state.goal = goal;
   state.refusal = why_goal_is_refused(goal, state);
+  state.dropped.clear();
   state.manoeuvre = ManoeuvreState();
   state.explore.failed = false;
   state.X_WG.reset();
@@ -124,18 +129,20 @@ std::string Navigator::observe(const Goal& goal, NavigatorState& state) const {
     state.X_OG = state.track.newest() * goal.pose;
     state.X_OG_epoch = state.track.epoch();
   }
-  return state.refusal;
+  return heard;
 }
 
 void Navigator::observe_stop(bool latched, const std::string& reason, NavigatorState& state) const {
   state.stop_latched = latched;
   state.stop_reason = reason;
-  if (latched) state.goals.end();
+  if (!latched) return;
+  state.goals.end();
+  state.goal.reset();
 }
 
 Output Navigator::step(NavigatorState& state) const {
   Output output;
-  if (const auto& goal = state.goals.goal()) {
+  if (const auto& goal = state.goal) {
     output.status.goal_session = goal->session;
     output.status.goal_id = goal->id;
   }
@@ -162,13 +169,16 @@ Navigator::Decision Navigator::decide(NavigatorState& state, Status& status) con
     return Decision{{motion, drive_state, reason}, at_once};
   };
   const std::int64_t now = state.track.newest_utime();
+  if (!state.blocked.empty()) return interrupted(stand(), DriveState::kStopped, state.blocked, true);
   if (!state.stop_latched || *state.stop_latched) {
     std::string reason = !state.stop_latched ? "no STOP_STATE of the base yet" : state.stop_reason;
     if (reason.empty()) reason = "STOP is latched";
     return interrupted(stand(), DriveState::kStopped, reason, true);
   }
-  const auto& goal = state.goals.goal();
-  if (!goal) return interrupted(stand(), DriveState::kHold, "no goal", false);
+  const auto& goal = state.goal;
+  if (!goal) {
+    return interrupted(stand(), DriveState::kHold, state.dropped.empty() ? "no goal" : state.dropped, false);
+  }
   if (const auto why = why_old("BASE_GOAL", goal->utime, now, parameters_.trust.goal_age); !why.empty()) {
     return interrupted(stand(), DriveState::kStale, why, true);
   }

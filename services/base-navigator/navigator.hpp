@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "common/motion/goal_inbox.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/base-navigator/goal_memory.hpp"
 #include "services/base-navigator/manoeuvre.hpp"
 #include "services/base-navigator/navigator_types.hpp"
 #include "services/base-navigator/odometry_track.hpp"
@@ -57,13 +57,16 @@ struct NavigatorState {
   OdometryTrack track;
   SonarMemory sonars;
   std::optional<PoseSample> pose;
-  GoalMemory goals;
+  motion::GoalInbox goals{"BASE_GOAL"};
+  std::optional<Goal> goal;                 // what goals.goal() asks for
   std::string refusal;                      // why the goal is not followed
+  std::string dropped;                      // why the last goal was dropped, until the next one
   std::optional<geometry::PlanePose> X_WG;  // DRIVE, once known
   std::optional<geometry::PlanePose> X_OG;  // DRIVE in R, until X_WG is known
   int X_OG_epoch = 0;
   std::optional<bool> stop_latched;
   std::string stop_reason;
+  std::string blocked;  // why nothing may move though no stop is latched; empty when nothing speaks against it
   ManoeuvreState manoeuvre;
   ExploreState explore;
   std::int64_t first_utime = 0;  // us, of the first odometry; 0 before
@@ -82,8 +85,12 @@ class Navigator {
   std::string observe(const OdometrySample& sample, NavigatorState& state) const;
   void observe(const PoseSample& sample, NavigatorState& state) const;
   std::string observe(const SonarScanSample& scan, NavigatorState& state) const;
-  std::string observe(const Goal& goal, NavigatorState& state) const;
+  // What became of a goal, new or repeated; of a new one state.refusal says why it is not followed.
+  motion::GoalHeard observe(const Goal& goal, NavigatorState& state) const;
   void observe_stop(bool latched, const std::string& reason, NavigatorState& state) const;
+  // The base is another one, or its clock began anew: the way so far and a goal of the former time are forgotten. `why`
+  // for people.
+  void begin_anew(const std::string& why, NavigatorState& state) const;
 
   Output step(NavigatorState& state) const;
 

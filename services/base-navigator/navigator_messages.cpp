@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "common/messages/state_codes.hpp"
+
 namespace markservo::base_navigator {
 namespace {
 
@@ -18,37 +20,6 @@ double worst_sigma(const PoseCovariance2& c) {
   return std::sqrt(std::fmax(0.0, mean + std::hypot(0.5 * (c.xx - c.yy), c.xy)));
 }
 
-Localisation localisation_of(int8_t state) {
-  switch (state) {
-    case RobotPose::LOCALISED:
-      return Localisation::kLocalised;
-    case RobotPose::LOST:
-      return Localisation::kLost;
-    default:
-      return Localisation::kSearching;
-  }
-}
-
-int8_t code_of(DriveState state) {
-  switch (state) {
-    case DriveState::kHold:
-      return BaseStatus::HOLD;
-    case DriveState::kDriving:
-      return BaseStatus::DRIVING;
-    case DriveState::kArrived:
-      return BaseStatus::ARRIVED;
-    case DriveState::kBlocked:
-      return BaseStatus::BLOCKED;
-    case DriveState::kLost:
-      return BaseStatus::LOST;
-    case DriveState::kStale:
-      return BaseStatus::STALE;
-    case DriveState::kStopped:
-      return BaseStatus::STOPPED;
-  }
-  return BaseStatus::STOPPED;
-}
-
 template <class M>
 void answer(M& message, const OdometryId& odometry) {
   message.utime = odometry.utime;
@@ -59,13 +30,13 @@ void answer(M& message, const OdometryId& odometry) {
 }  // namespace
 
 OdometrySample odometry_sample(const WheelOdometry& message) {
-  return {message.utime, message.session, message.left_distance, message.right_distance};
+  return {message.utime, message.left_distance, message.right_distance};
 }
 
 PoseSample pose_sample(const RobotPose& message) {
   PoseSample sample;
   sample.utime = message.utime;
-  sample.state = localisation_of(message.state);
+  sample.state = messages::state_of<Localisation>(message.state);
   sample.X_WR = plane_pose(message.pose);
   sample.position_sigma = worst_sigma(message.covariance);
   sample.heading_sigma = std::sqrt(message.covariance.hh);
@@ -119,7 +90,7 @@ BaseStatus status_message(const Status& status, const OdometryId& odometry) {
   answer(message, odometry);
   message.goal_session = status.goal_session;
   message.goal_id = status.goal_id;
-  message.state = code_of(status.state);
+  message.state = messages::code_of(status.state);
   message.distance = status.distance;
   message.heading_error = status.heading_error;
   message.reason = status.reason;

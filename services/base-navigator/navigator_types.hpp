@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "common/geometry/plane_pose.hpp"
+#include "common/states/base_state.hpp"
+#include "common/states/localisation_state.hpp"
 #include "common/time/seconds_between.hpp"
 
 namespace markservo::base_navigator {
@@ -15,12 +17,11 @@ namespace markservo::base_navigator {
 // One WHEEL_ODOMETRY.
 struct OdometrySample {
   std::int64_t utime = 0;
-  std::int64_t session = 0;  // of the writer
-  double left = 0.0;         // m, way of the wheel since the driver started
+  double left = 0.0;  // m, way of the wheel since the driver started
   double right = 0.0;
 };
 
-enum class Localisation { kSearching, kLocalised, kLost };
+using Localisation = LocalisationState;
 
 // One ROBOT_POSE.
 struct PoseSample {
@@ -62,7 +63,7 @@ struct Goal {
   double speed = 0.0;        // m/s; 0: the parameters' own
 };
 
-enum class DriveState { kHold, kDriving, kArrived, kBlocked, kLost, kStale, kStopped };
+using DriveState = BaseState;
 
 // One BASE_COMMAND.
 struct Command {

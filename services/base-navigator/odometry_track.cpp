@@ -10,7 +10,7 @@ using geometry::PlanePose;
 
 std::string OdometryTrack::add(const OdometryParameters& parameters, const OdometrySample& sample) {
   char text[160];
-  if (history_.empty() || sample.session != session_) {
+  if (history_.empty()) {
     begin(sample);
     return "";
   }
@@ -18,10 +18,8 @@ std::string OdometryTrack::add(const OdometryParameters& parameters, const Odome
   const double seconds = seconds_between(last.utime, sample.utime);
   if (seconds <= 0.0) {
     std::snprintf(text, sizeof text, "utime is %.3f s before or at the newest; allowed: growing", -seconds);
-    if (++backward_ >= parameters.backward_limit) begin(sample);
     return text;
   }
-  backward_ = 0;
   if (seconds > parameters.gap) {
     begin(sample);
     return "";
@@ -47,9 +45,7 @@ std::string OdometryTrack::add(const OdometryParameters& parameters, const Odome
 void OdometryTrack::begin(const OdometrySample& sample) {
   history_.clear();
   history_.push_back({sample.utime, sample.left, sample.right, PlanePose()});
-  session_ = sample.session;
   ++epoch_;
-  backward_ = 0;
   speed_ = 0.0;
   turn_rate_ = 0.0;
 }

@@ -16,15 +16,16 @@ struct OdometryParameters {
   double gap = 0.3;            // s; after a longer silence nothing is known of the way in between
   double kept = 1.5;           // s of history
   double speed_window = 0.06;  // s; over one 20 ms period the encoders' ticks alone make 0.04 rad/s
-  int backward_limit = 5;      // after so many samples from the past the clock did go back
 };
 
 // Where the wheels say the robot went: X_OR, in a frame O that is where the track began.
 class OdometryTrack {
  public:
   // What it says is wrong with the sample, or an empty text. A sample that is not newer is not taken; one that comes
-  // after a jump of the counters, a gap or a new writer begins a new track (see epoch()).
+  // after a jump of the counters or a gap begins a new track (see epoch()).
   std::string add(const OdometryParameters& parameters, const OdometrySample& sample);
+  // The next sample begins a new track: it is another base's, or of another time.
+  void forget() { history_.clear(); }
 
   bool empty() const { return history_.empty(); }
   std::int64_t newest_utime() const { return history_.empty() ? 0 : history_.back().utime; }
@@ -50,9 +51,7 @@ class OdometryTrack {
   void measure_speed(const OdometryParameters& parameters);
 
   std::deque<Entry> history_;
-  std::int64_t session_ = 0;
   int epoch_ = 0;
-  int backward_ = 0;
   double speed_ = 0.0;
   double turn_rate_ = 0.0;
 };

@@ -33,8 +33,7 @@ void Bridge::pass(const std::string& channel, bus::Bus& from, bus::Bus& to) {
     }
     const std::string_view bytes(static_cast<const char*>(data), size);
     if (!repeats_.crosses(bus::fingerprint(bytes, bus::fingerprint(channel)), steady_clock_us())) return false;
-    to.publish_raw(channel, data, size);
-    return true;
+    return to.publish_raw(channel, data, size);
   });
 }
 
@@ -62,14 +61,15 @@ void BusBridgeNode::start(bus::Bus& bus) {
   parameters.service_name = "bus-bridge";
   parameters.robot = bus.robot();
   parameters.heartbeat = false;  // SERVICE_STATUS is this host's; it crosses as others' do
+  parameters.waits_for_network = true;
   link_ = std::make_unique<bus::Bus>(std::move(parameters));
   bridge_ = std::make_unique<Bridge>(bus, *link_, crossing_);
   bus.report_also(*link_, "link:");
 }
 
 void BusBridgeNode::run(bus::Bus& bus) {
-  std::array<pollfd, 2> waiting{{{bus.descriptor(), POLLIN, 0}, {link_->descriptor(), POLLIN, 0}}};
   do {
+    std::array<pollfd, 2> waiting{{{bus.descriptor(), POLLIN, 0}, {link_->descriptor(), POLLIN, 0}}};
     ::poll(waiting.data(), waiting.size(), static_cast<int>(kLongestWait.count()));
   } while (link_->poll(milliseconds(0)) && bus.poll(milliseconds(0)));
 }

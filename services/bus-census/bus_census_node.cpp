@@ -1,11 +1,9 @@
 #include "services/bus-census/bus_census_node.hpp"
 
 #include <algorithm>
-#include <markservo/ServiceStatus.hpp>
 
 #include "common/bus/end_signals.hpp"
-#include "common/bus/safe_decode.hpp"
-#include "common/reflection/message_note.hpp"
+#include "common/census/census_messages.hpp"
 #include "common/time/clocks.hpp"
 
 namespace markservo::bus_census {
@@ -14,39 +12,6 @@ namespace {
 constexpr const char* kStatusChannel = "(.*/)?SERVICE_STATUS";
 constexpr int kQueue = 1000;  // messages that wait; rates must not suffer from a slow moment
 
-ServiceWord word_of(const ServiceStatus& status, const std::string& channel) {
-  ServiceWord word;
-  word.robot = robot_of(channel);
-  word.name = status.name;
-  word.host = status.host;
-  word.pid = status.pid;
-  word.session = status.session;
-  word.version = status.version;
-  word.config_hash = status.config_hash;
-  word.state = status.state;
-  word.reason = status.reason;
-  word.utime = status.utime;
-  for (const ChannelStatus& each : status.channels) {
-    word.channels.push_back({each.channel, each.received, each.skipped, each.lost, each.decode_failures, each.refused,
-                             each.second_writer != 0, each.age, each.latency_p50, each.latency_p99});
-  }
-  return word;
-}
-
-Heard heard_of(const bus::HeardBytes& message) {
-  const auto note = reflection::note_of(reflection::TypeCatalog::ours(), message.data, message.size);
-  Heard heard;
-  heard.channel = message.channel;
-  heard.bytes = static_cast<int64_t>(message.size);
-  heard.utime = message.utime;
-  heard.hash = static_cast<int64_t>(note.fingerprint.value_or(0));
-  heard.type = note.type;
-  if (note.session < 1) return heard;
-  heard.session = note.session;
-  if (note.seq >= 0) heard.seq = note.seq;
-  return heard;
-}
-
 }  // namespace
 
 BusCensusNode::BusCensusNode(const std::string& url, bool status_only)
@@ -54,14 +19,11 @@ BusCensusNode::BusCensusNode(const std::string& url, bool status_only)
                 [this](const bus::HeardBytes& message) { hear(message); }) {}
 
 void BusCensusNode::hear(const bus::HeardBytes& message) {
-  const Heard heard = heard_of(message);
-  census_->hear(heard);
-  if (heard.hash != ServiceStatus::getHash()) return;
-  const auto decoded = bus::safe_decode<ServiceStatus>(message.data, message.size);
-  if (!decoded.ok || decoded.message.session < 1) return;
-  const ServiceWord word = word_of(decoded.message, message.channel);
-  census_->hear(word, heard.utime);
-  if (on_status) on_status(word);
+  census_->hear(census::heard_of(message.channel, message.data, message.size, message.size, message.utime));
+  const auto word = census::word_in(message.channel, message.data, message.size);
+  if (!word) return;
+  census_->hear(*word, message.utime);
+  if (on_status) on_status(*word);
 }
 
 void BusCensusNode::listen(double seconds) {
@@ -73,7 +35,7 @@ void BusCensusNode::listen(double seconds) {
   end_us_ = wall_clock_us();
 }
 
-Report BusCensusNode::report() const {
+census::Report BusCensusNode::report() const {
   return census_->report(end_us_);
 }
 

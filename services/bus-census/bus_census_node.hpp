@@ -5,7 +5,7 @@
 #include <string>
 
 #include "common/bus/listener.hpp"
-#include "services/bus-census/census.hpp"
+#include "common/census/census.hpp"
 
 namespace markservo::bus_census {
 
@@ -16,18 +16,18 @@ class BusCensusNode {
   BusCensusNode(const std::string& url, bool status_only);
 
   // Called with every SERVICE_STATUS, if set.
-  std::function<void(const ServiceWord&)> on_status;
+  std::function<void(const census::ServiceWord&)> on_status;
 
   // Until `seconds` have passed or it is told to end (SIGINT, SIGTERM).
   void listen(double seconds);
 
-  Report report() const;
+  census::Report report() const;
 
  private:
   void hear(const bus::HeardBytes& message);
 
   bus::Listener listener_;
-  std::optional<Census> census_;
+  std::optional<census::Census> census_;
   int64_t end_us_ = 0;  // when listening ended, us
 };
 

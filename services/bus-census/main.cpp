@@ -7,15 +7,16 @@
 #include "common/bus/network_check.hpp"
 #include "common/bus/service.hpp"
 #include "common/bus/tool.hpp"
+#include "common/census/census_text.hpp"
 #include "common/reflection/value_text.hpp"
 #include "common/time/clocks.hpp"
 #include "services/bus-census/bus_census_node.hpp"
-#include "services/bus-census/census_text.hpp"
 #include "services/bus-census/clock_reader.hpp"
 
 namespace {
 
-namespace census = markservo::bus_census;
+namespace census = markservo::census;
+using markservo::bus_census::BusCensusNode;
 using Json = nlohmann::ordered_json;
 
 struct Options {
@@ -38,9 +39,9 @@ Json receive_buffer() {
 }
 
 int run(const Options& options) {
-  census::BusCensusNode node(options.url, options.follow);
+  BusCensusNode node(options.url, options.follow);
   if (options.follow) {
-    node.on_status = [](const census::ServiceWord& word) { print(json_of(word)); };
+    node.on_status = [](const census::ServiceWord& word) { print(census::json_of(word)); };
     print({{"listening", options.url}});
   }
   const int64_t wall_us = markservo::wall_clock_us();
@@ -49,17 +50,18 @@ int run(const Options& options) {
   const int64_t jump_us = (markservo::wall_clock_us() - wall_us) - (markservo::steady_clock_us() - steady_us);
   if (options.follow) return markservo::bus::kExitStopped;
   if (!options.json) {
-    std::cout << table_of(node.report());
+    std::cout << census::table_of(node.report());
     return markservo::bus::kExitStopped;
   }
-  Json json = {
-      {"url", options.url},
-      {"host", markservo::bus::host_name()},
-      {"version", MARKSERVO_VERSION},
-      {"raw_frames_fit", markservo::bus::raw_frames_fit(options.url)},
-      {"receive_buffer", receive_buffer()},
-      {"clock", {{"synchronised", census::clock_is_synchronised()}, {"jump_s", 1e-6 * static_cast<double>(jump_us)}}}};
-  json.update(json_of(node.report()));
+  Json json = {{"url", options.url},
+               {"host", markservo::bus::host_name()},
+               {"version", MARKSERVO_VERSION},
+               {"raw_frames_fit", markservo::bus::raw_frames_fit(options.url)},
+               {"receive_buffer", receive_buffer()},
+               {"clock",
+                {{"synchronised", markservo::bus_census::clock_is_synchronised()},
+                 {"jump_s", 1e-6 * static_cast<double>(jump_us)}}}};
+  json.update(census::json_of(node.report()));
   print(json);
   return markservo::bus::kExitStopped;
 }

@@ -1,5 +1,7 @@
 #include "services/log-tool/csv_table.hpp"
 
+#include "common/text/text.hpp"
+
 namespace markservo::log_tool {
 namespace {
 
@@ -31,7 +33,7 @@ std::string CsvColumns::row(std::int64_t log_utime, const std::vector<reflection
   std::vector<std::string> cells(columns_.size());
   for (const reflection::Leaf& leaf : leaves) {
     const auto column = index_.find(leaf.path);
-    if (column != index_.end()) cells[column->second] = quoted(reflection::text_of(leaf.value));
+    if (column != index_.end()) cells[column->second] = quoted(text::printable(reflection::text_of(leaf.value)));
   }
   std::string line = std::to_string(log_utime);
   for (const std::string& cell : cells) line += "," + cell;

@@ -170,6 +170,7 @@ std::optional<int> MarkDetectorNode::run_alone() {
 void MarkDetectorNode::start(bus::Bus& bus) {
   publisher_.emplace(bus.advertise(channels::kMarkDetection));
   bus.on_latest(channels::kStereoFrame, [this](const StereoFrame& frame) { handle(frame); });
+  bus.need(channels::kStereoFrame);
 }
 
 void MarkDetectorNode::handle(const StereoFrame& frame) {

@@ -19,9 +19,11 @@ class MarkWatcher : public markservo::bus::Service {
   // Read your files and check your settings here; throw ConfigurationError to end with exit code 2.
   void configure(const std::string& /*robot_file*/) override {}
 
-  // Subscribe and advertise. on_latest: the newest message wins; on_each: all, in order.
+  // Subscribe and advertise. on_latest: the newest message wins; on_each: all, in order. need: until it comes, and when
+  // it stops coming, the log and SERVICE_STATUS say so.
   void start(markservo::bus::Bus& bus) override {
     bus.on_latest(markservo::channels::kTargetPose, [this](const TargetPose& pose) { print(pose); });
+    bus.need(markservo::channels::kTargetPose);
   }
 
  private:

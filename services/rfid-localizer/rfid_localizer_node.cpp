@@ -3,29 +3,27 @@
 #include <spdlog/spdlog.h>
 
 #include <markservo/RfidTagHits.hpp>
+#include <markservo/StopState.hpp>
 #include <markservo/WheelOdometry.hpp>
 
 #include "common/bus/number_options.hpp"
 #include "common/geometry/plane_pose.hpp"
+#include "common/messages/motion_messages.hpp"
+#include "common/messages/state_codes.hpp"
+#include "common/motion/mover_watch.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/states/localisation_state.hpp"
 #include "services/rfid-localizer/localizer_messages.hpp"
 
 namespace markservo::rfid_localizer {
-namespace {
-
-const char* name_of(std::int8_t state) {
-  if (state == RobotPose::LOCALISED) return "localised";
-  return state == RobotPose::LOST ? "lost" : "searching";
-}
-
-}  // namespace
-
 void RfidLocalizerNode::add_options(CLI::App& app) {
   const bus::NumberOptions number(app);
   app.add_option("--method", method_,
                  "Whose pose ROBOT_POSE carries: filter, or paper: weighted average, Hough direction, compensated "
                  "delay. Its paper part carries the paper's values either way")
       ->check(CLI::IsMember({"filter", "paper"}))
+      ->capture_default_str();
+  app.add_option("--stop-device", stop_device_, "The base's name in STOP_STATE: whose WHEEL_ODOMETRY counts")
       ->capture_default_str();
   app.add_option("--tag-field", field_, "Field of floor tags in robot.yaml; default: its floor_tags.in_use");
   app.add_option("--delay", delay_, "From the middle of a reader's round to its arrival, s; default: robot.yaml's")
@@ -55,26 +53,42 @@ void RfidLocalizerNode::configure(const std::string& robot_file) {
     parameters_.start_heading =
         HeadingPrior{geometry::radians(*start_heading_deg_), geometry::radians(start_heading_sigma_deg_)};
   }
-  const robot::BaseDescription base = robot.base.value_or(robot::BaseDescription{});
   if (robot.base) {
-    parameters_.wheels.noise.track = base.track;
-    parameters_.wheels.noise.drift = slip_margin_ * base.drift;
-    parameters_.wheels.scale_sigma = base.scale_sigma;
+    parameters_.wheels.noise.track = robot.base->track;
+    parameters_.wheels.noise.drift = slip_margin_ * robot.base->drift;
+    parameters_.wheels.scale_sigma = robot.base->scale_sigma;
   }
-  localizer_ = std::make_unique<Localizer>(base, *robot.rfid, robot.floor_tags->field(field_), parameters_);
+  robot_ = robot;
+  begin();
+}
+
+void RfidLocalizerNode::begin() {
+  const robot::BaseDescription base = robot_.base.value_or(robot::BaseDescription{});
+  localizer_ = std::make_unique<Localizer>(base, *robot_.rfid, robot_.floor_tags->field(field_), parameters_);
 }
 
 void RfidLocalizerNode::start(bus::Bus& bus) {
   bus_ = &bus;
   poses_.emplace(bus.advertise(channels::kRobotPose));
+  base_.emplace(stop_device_);
+  bus.on_each(channels::kStopState, [this](const StopState& stop) {
+    if (stop.device == stop_device_) base_->hear_stop_state(messages::stamp_of(stop), stop.latched != 0);
+  });
   bus.on_each(channels::kRfidTagHits, [this](const RfidTagHits& message) {
+    const motion::Heard heard = rounds_.hear(messages::stamp_of(message), base_->newest_utime());
+    // Who has the floor is believed though another one speaks too.
+    if (heard != motion::Heard::kSecond) messages::drop(motion::why_dropped(heard));
     localizer_->observe(tag_round(message));
     if (!localizer_->has_wheels()) publish(message.utime, 0, 0);
   });
   bus.on_each(channels::kWheelOdometry, [this](const WheelOdometry& message) {
+    const motion::Word word = base_->hear_report(channels::kWheelOdometry.name, messages::stamp_of(message));
+    messages::drop(motion::why_dropped(word));
+    if (word == motion::Word::kAnew) begin();  // its clock was set back: all that is known has times to come
     localizer_->observe(encoder_reading(message));
     publish(message.utime, message.session, message.seq);
   });
+  bus.need(channels::kRfidTagHits);  // it works without encoders, as the paper does
 }
 
 void RfidLocalizerNode::publish(std::int64_t utime, std::int64_t odometry_session, std::int64_t odometry_seq) {
@@ -86,7 +100,8 @@ void RfidLocalizerNode::publish(std::int64_t utime, std::int64_t odometry_sessio
 }
 
 void RfidLocalizerNode::tell(const RobotPose& pose) {
-  const bool changed = told_ != name_of(pose.state);
+  const char* state = name_of(messages::state_of<LocalisationState>(pose.state));
+  const bool changed = told_ != state;
   // Counts that grow with every round would be a stream of their own.
   if (!changed && !tell_timer_.due(pose.utime)) return;
   const LocalizerFaults faults = localizer_->faults();
@@ -101,9 +116,9 @@ void RfidLocalizerNode::tell(const RobotPose& pose) {
   add(faults.wrong_windows, "rounds with an impossible window");
   add(faults.late_odometry, "odometry out of order");
   add(faults.tick_jumps, "jumps of the encoders");
-  bus_->set_state(name_of(pose.state), what);
+  bus_->set_state(state, what);
   if (!changed) return;
-  told_ = name_of(pose.state);
+  told_ = state;
   spdlog::info("{}{}{}", told_, pose.reason.empty() ? "" : ": ", pose.reason);
 }
 

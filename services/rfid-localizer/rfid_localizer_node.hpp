@@ -8,12 +8,14 @@
 
 #include "common/bus/repeat_timer.hpp"
 #include "common/bus/service.hpp"
+#include "common/motion/device_trust.hpp"
+#include "common/motion/sole_writer.hpp"
 #include "services/rfid-localizer/localizer.hpp"
 
 namespace markservo::rfid_localizer {
 
 // RFID_TAG_HITS and WHEEL_ODOMETRY in, ROBOT_POSE out: one per WHEEL_ODOMETRY, or, while there is none, one per
-// RFID_TAG_HITS.
+// RFID_TAG_HITS. Wheels count only from the session of the base's own STOP_STATE, rounds from one writer at a time.
 class RfidLocalizerNode : public bus::Service {
  public:
   void add_options(CLI::App& app) override;
@@ -21,17 +23,22 @@ class RfidLocalizerNode : public bus::Service {
   void start(bus::Bus& bus) override;
 
  private:
+  void begin();
   void publish(std::int64_t utime, std::int64_t odometry_session, std::int64_t odometry_seq);
   void tell(const RobotPose& pose);
 
   std::string method_ = "filter";
+  std::string stop_device_ = "base";
   std::string field_;
   std::optional<double> delay_, delay_sigma_;
   std::optional<double> start_heading_deg_;
   double start_heading_sigma_deg_ = 5.0;
   double slip_margin_ = 1.3;  // keeps the covariance honest at 5% of slip
+  robot::RobotDescription robot_;
   LocalizerParameters parameters_;
   std::unique_ptr<Localizer> localizer_;
+  std::optional<motion::DeviceTrust> base_;
+  motion::SoleWriter rounds_{"RFID_TAG_HITS"};
   bus::Bus* bus_ = nullptr;
   std::optional<bus::Publisher<RobotPose>> poses_;
   std::string told_;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <markservo/BaseStatus.hpp>
 #include <markservo/RobotPose.hpp>
-#include <stdexcept>
 
+#include "common/messages/motion_messages.hpp"
 #include "services/simulator/base_messages.hpp"
 
 namespace markservo::simulator {
@@ -34,17 +34,16 @@ BaseNode::BaseNode(bus::Bus& bus, Simulation& simulation, const std::vector<std:
 }
 
 void BaseNode::on_command(const BaseCommand& message) {
-  const CommandVerdict verdict = simulation_->command_base(
-      {message.odometry_session, message.odometry_seq, message.utime}, message.speed, message.turn_rate);
+  const motion::CommandVerdict verdict = simulation_->command_base(
+      {messages::stamp_of(message), message.odometry_session}, message.speed, message.turn_rate);
   barrier_.note(channels::kBaseCommand.name, message.odometry_session, message.odometry_seq);
   switch (verdict) {
-    case CommandVerdict::kObeyed:
-    case CommandVerdict::kLatched:      // commands go on while the base is stopped
-    case CommandVerdict::kBeforeReset:  // and those under way at a reset come late
+    case motion::CommandVerdict::kObeyed:
+    case motion::CommandVerdict::kLatched:      // commands go on while the base is stopped
+    case motion::CommandVerdict::kBeforeReset:  // and those under way at a reset come late
       break;
     default:
-      throw std::runtime_error("command for odometry " + std::to_string(message.odometry_seq) + " " +
-                               describe(verdict));
+      messages::drop("command for odometry " + std::to_string(message.odometry_seq) + " " + motion::describe(verdict));
   }
 }
 
@@ -80,7 +79,7 @@ void BaseNode::publish_odometry() {
   truth_message.touched = truth.touched ? 1 : 0;
   truth_message.nearest = truth.nearest;
   truths_.publish(truth_message);
-  simulation_->told_odometry(odometry_seq_);
+  simulation_->told_odometry();
   odometries_.publish(*odometry_);
 }
 

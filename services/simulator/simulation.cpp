@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/motion/command_lead.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/simulator/random.hpp"
 #include "services/simulator/scene_model.hpp"
@@ -31,7 +32,7 @@ void require_changeable(const std::string& name) {
 }  // namespace
 
 Simulation::Simulation(robot::RobotDescription robot, Scene scene, const Settings& start, std::uint64_t seed,
-                       Timing timing, std::int64_t session)
+                       Timing timing, std::int64_t session, std::int64_t epoch)
     : robot_(std::move(robot)),
       scene_(std::move(scene)),
       start_(start),
@@ -39,9 +40,10 @@ Simulation::Simulation(robot::RobotDescription robot, Scene scene, const Setting
       seed_(seed),
       timing_(timing),
       world_(robot_, scene_, start, seed),
-      base_(new_base(start, seed, kEpoch_us)),
-      gate_(session),
-      base_gate_(session),
+      base_(new_base(start, seed, epoch)),
+      epoch_(epoch),
+      gate_("JOINT_COMMAND", session),
+      base_gate_("BASE_COMMAND", session),
       schedule_(start.frames_rate_hz, kTimeStep, 0) {}
 
 std::optional<MobileBase> Simulation::new_base(const Settings& settings, std::uint64_t seed, std::int64_t epoch) const {
@@ -56,8 +58,7 @@ void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
   world_ = std::move(world);
   settings_ = settings;
   seed_ = seed;
-  gate_.restart(frame_seq_);
-  base_gate_.restart(odometry_seq_);
+  latch_.latch("the world was reset");
   delayed_.clear();
   step_count_ += kResetPause_us / kStep_us;
   frame_number_ = 0;
@@ -81,36 +82,53 @@ void Simulation::restart_schedule() {
   if (exposed_step_ >= 0) schedule_.advance();
 }
 
-void Simulation::stop() {
-  gate_.latch();
-  base_gate_.latch();
+motion::StopHeard Simulation::request(const motion::StopRequestStamp& request) {
+  std::string obstacle = gate_.obstacle(utime());
+  if (obstacle.empty()) obstacle = base_gate_.obstacle(utime());
+  const motion::StopHeard heard = latch_.hear(request, utime(), obstacle);
+  if (heard == motion::StopHeard::kLatched) freeze();
+  if (heard == motion::StopHeard::kReleased) release();
+  return heard;
+}
+
+void Simulation::freeze() {
   if (base_) base_->freeze();
   delayed_.clear();
   world_.freeze();
 }
 
 void Simulation::release() {
-  gate_.unlatch(frame_seq_);
-  base_gate_.unlatch(odometry_seq_);
+  gate_.release(frame_utime_);
+  base_gate_.release(odometry_utime_);
 }
 
-CommandVerdict Simulation::command(const FrameIdentity& answered, const ArmCommand& command) {
-  const CommandVerdict verdict = gate_.offer(answered, frame_seq_, utime());
-  ++verdicts_[verdict];
-  if (verdict != CommandVerdict::kObeyed) return verdict;
+CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::int64_t frame_seq,
+                                  const ArmCommand& command) {
+  CommandAnswer answer{gate_.offer(offered, utime(), latch_.latched()), std::nullopt};
+  if (answer.verdict == motion::CommandVerdict::kTwoWriters) {
+    latch_.latch(gate_.two_writers());
+    freeze();
+  }
+  if (answer.verdict != motion::CommandVerdict::kObeyed) return answer;
+  answer.leads = motion::leading_joint(command.position, command.speed_limit, world_.arm().position);
+  if (answer.leads) return answer;
   if (timing_ == Timing::kLockstep) {
-    const std::int64_t answered_number = frame_number_ - std::max<std::int64_t>(0, first_seq_ - answered.seq);
+    const std::int64_t answered_number = frame_number_ - std::max<std::int64_t>(0, first_seq_ - frame_seq);
     delayed_.add(answered_number + std::llround(settings_.servo_delay_frames), command);
   } else {
     delayed_.add(utime() + std::llround(settings_.servo_delay_s * 1e6), command);
   }
-  return verdict;
+  return answer;
 }
 
-CommandVerdict Simulation::command_base(const FrameIdentity& answered, double speed, double turn_rate) {
-  if (!base_) return CommandVerdict::kOtherSession;
-  const CommandVerdict verdict = base_gate_.offer(answered, odometry_seq_, utime());
-  if (verdict == CommandVerdict::kObeyed) base_->command(speed, turn_rate);
+motion::CommandVerdict Simulation::command_base(const motion::OfferedCommand& offered, double speed, double turn_rate) {
+  if (!base_) return motion::CommandVerdict::kOtherMover;
+  const auto verdict = base_gate_.offer(offered, utime(), latch_.latched());
+  if (verdict == motion::CommandVerdict::kTwoWriters) {
+    latch_.latch(base_gate_.two_writers());
+    freeze();
+  }
+  if (verdict == motion::CommandVerdict::kObeyed) base_->command(speed, turn_rate);
   return verdict;
 }
 
@@ -139,11 +157,15 @@ void Simulation::step() {
 }
 
 std::int64_t Simulation::utime() const {
-  return kEpoch_us + step_count_ * kStep_us;
+  return epoch_ + elapsed_us();
+}
+
+std::int64_t Simulation::elapsed_us() const {
+  return step_count_ * kStep_us;
 }
 
 void Simulation::expose(std::int64_t seq) {
-  frame_seq_ = seq;
+  frame_utime_ = utime();
   if (exposed_step_ == step_count_) return;
   exposed_step_ = step_count_;
   first_seq_ = seq;

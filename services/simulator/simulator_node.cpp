@@ -13,7 +13,9 @@
 #include <utility>
 
 #include "common/bus/network_check.hpp"
+#include "common/messages/motion_messages.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/time/clocks.hpp"
 #include "services/simulator/messages.hpp"
 #include "services/simulator/scene_model.hpp"
 
@@ -113,8 +115,10 @@ std::optional<int> SimulatorNode::run_alone() {
 
 void SimulatorNode::start(bus::Bus& bus) {
   const Timing timing = lockstep_ ? Timing::kLockstep : Timing::kRealTime;
-  simulation_ =
-      std::make_unique<Simulation>(robot_, scene_, settings_, static_cast<std::uint64_t>(seed_), timing, bus.session());
+  // In real time commands are judged by the wall clock, so that an old recording's are old to a young world too.
+  const std::int64_t epoch = lockstep_ ? kEpoch_us : wall_clock_us();
+  simulation_ = std::make_unique<Simulation>(robot_, scene_, settings_, static_cast<std::uint64_t>(seed_), timing,
+                                             bus.session(), epoch);
   choose_encoding(bus.urls());
   frames_ = bus.advertise(channels::kStereoFrame);
   joint_states_ = bus.advertise(channels::kJointState);
@@ -164,32 +168,36 @@ void SimulatorNode::await_channel(bus::Bus& bus, const std::string& channel) {
 }
 
 void SimulatorNode::on_joint_command(const JointCommand& message) {
-  const CommandVerdict verdict =
-      simulation_->command({message.frame_session, message.frame_seq, message.frame_utime}, arm_command(message));
+  const motion::OfferedCommand offered{{message.session, message.seq, message.frame_utime}, message.joint_session};
+  const CommandAnswer answer = simulation_->command(offered, message.frame_seq, arm_command(message));
   barrier_.note(channels::kJointCommand.name, message.frame_session, message.frame_seq);
-  switch (verdict) {
-    case CommandVerdict::kObeyed:
-    case CommandVerdict::kLatched:      // commands go on while the arm is stopped
-    case CommandVerdict::kBeforeReset:  // and those under way at a reset come late
+  tell_of_a_latch();
+  const std::string command = "command for frame " + std::to_string(message.frame_seq) + " ";
+  if (answer.leads) {
+    messages::drop(command + "leads joint " + robot_.arm->joints[*answer.leads].name +
+                   " by more than 0.3 s at its speed limit and 0.1 rad");
+  }
+  switch (answer.verdict) {
+    case motion::CommandVerdict::kObeyed:
+    case motion::CommandVerdict::kLatched:      // commands go on while the arm is stopped
+    case motion::CommandVerdict::kBeforeReset:  // and those under way at a reset come late
       break;
     default:
-      throw std::runtime_error(std::string("command for frame ") + std::to_string(message.frame_seq) + " " +
-                               describe(verdict));
+      messages::drop(command + motion::describe(answer.verdict));
   }
 }
 
 void SimulatorNode::on_stop(const StopRequest& message) {
   if (message.kind != StopRequest::STOP && message.kind != StopRequest::RESET) {
-    throw std::invalid_argument("kind is " + std::to_string(message.kind) + "; allowed: 0 (stop) or 1 (reset)");
+    messages::drop("kind is " + std::to_string(message.kind) + "; allowed: 0 (stop) or 1 (reset)");
   }
-  if (stops_.accept(message.session, message.request_id)) {
-    stop_reason_ = (message.source.empty() ? "someone" : message.source) + ": " + message.reason;
-    if (message.kind == StopRequest::STOP) {
-      simulation_->stop();
-    } else {
-      simulation_->release();
-    }
-    spdlog::info("STOP {} by {}", message.kind == StopRequest::STOP ? "latched" : "reset", stop_reason_);
+  motion::StopRequestStamp request{{message.session, message.request_id, message.utime},
+                                   message.kind == StopRequest::RESET,
+                                   (message.source.empty() ? "someone" : message.source) + ": " + message.reason};
+  const motion::StopHeard heard = simulation_->request(request);
+  if (heard == motion::StopHeard::kStale) messages::drop("RESET refused: " + simulation_->why_stale(request));
+  if (heard != motion::StopHeard::kAgain) {
+    spdlog::info("STOP {}: {}", simulation_->latch().latched() ? "latched" : "reset", simulation_->latch().reason());
   }
   publish_stop_states();
 }
@@ -199,7 +207,10 @@ void SimulatorNode::on_control(const SimControl& message) {
     barrier_.note(channels::kSimControl.name, message.frame_session, message.frame_seq);
     return;
   }
-  if (controls_.accept(message.session, message.control_id)) {
+  const motion::CommandStamp stamp{message.session, message.control_id, message.utime};
+  const motion::CommandHeard heard = controls_.hear(stamp, simulation_->utime(), false);
+  if (heard == motion::CommandHeard::kStale) messages::drop(controls_.why_stale(stamp, simulation_->utime()));
+  if (heard == motion::CommandHeard::kExecute) {
     control_error_.clear();
     try {
       obey_control(message);
@@ -222,7 +233,6 @@ void SimulatorNode::obey_control(const SimControl& message) {
   }
   if (message.seed < 0) throw ConfigurationError("seed is " + std::to_string(message.seed) + "; allowed: 0 or more");
   simulation_->reset(static_cast<std::uint64_t>(message.seed), changes);
-  stop_reason_ = "the world was reset";
   valid_ = true;
   world_is_new_ = true;
   ++resets_;
@@ -260,7 +270,7 @@ bool SimulatorNode::wait_for_answers(bus::Bus& bus, LockstepNode& wait, const Lo
   if (outcome == LockstepNode::Outcome::kTimedOut) {
     if (valid_) {
       spdlog::error("{}, {} us after the epoch: no answer on {} within {} s: this run is invalid until the next RESET",
-                    what, simulation_->utime() - kEpoch_us, barrier.missing(), lockstep_timeout_s_);
+                    what, simulation_->elapsed_us(), barrier.missing(), lockstep_timeout_s_);
     }
     valid_ = false;
   }
@@ -272,23 +282,25 @@ void SimulatorNode::run_real_time(bus::Bus& bus) {
   SteadyTime start = steady_clock::now();
   std::int64_t start_utime = simulation_->utime();
   while (true) {
-    publish_base();
-    if (world_is_new_ || simulation_->frame_due()) expose_frame();
     const SteadyTime now = steady_clock::now();
     SteadyTime wanted = start + std::chrono::microseconds(simulation_->utime() - start_utime);
-    if (wanted < now - kSlipLimit || wanted > now + kSlipLimit) {
-      // Too slow a machine, or the clock's jump at a reset: time goes on from here.
+    if (wanted < now - kSlipLimit) {
+      // Too slow a machine: time goes on from here.
       wanted = start = now;
       start_utime = simulation_->utime();
     }
+    // What is told is never from the future, not even after a reset, when the world's time leaps by a second.
     const auto early = std::chrono::ceil<milliseconds>(wanted - now);
     if (!bus.poll(std::max(early, milliseconds(0)))) return;
-    if (world_is_new_ || steady_clock::now() < wanted) continue;
+    tell_of_a_latch();
+    if (steady_clock::now() < start + std::chrono::microseconds(simulation_->utime() - start_utime)) continue;
+    publish_base();
+    if (world_is_new_ || simulation_->frame_due()) expose_frame();
     // In bites of one joint state, so that commands are taken in at 100 Hz.
     do {
       step();
       publish_base();
-    } while (!simulation_->frame_due() && (simulation_->utime() - kEpoch_us) % kJointStatePeriod_us != 0);
+    } while (!simulation_->frame_due() && !world_is_new_ && simulation_->elapsed_us() % kJointStatePeriod_us != 0);
   }
 }
 
@@ -301,10 +313,9 @@ void SimulatorNode::step() {
     valid_ = false;
     world_is_new_ = true;
     ++resets_;
-    stop_reason_ = error.what();
   }
   const bool exposure = simulation_->frame_due();  // then the joints are told at the exposure itself
-  if (exposure || (simulation_->utime() - kEpoch_us) % kJointStatePeriod_us == 0) publish_joint_state();
+  if (exposure || simulation_->elapsed_us() % kJointStatePeriod_us == 0) publish_joint_state();
   if (stop_state_timer_.due(simulation_->utime())) publish_stop_states();
 }
 
@@ -360,10 +371,11 @@ void SimulatorNode::publish_joint_state() {
 void SimulatorNode::publish_stop_states() {
   StopState message{};
   message.utime = simulation_->utime();
-  message.latched = simulation_->latched() ? 1 : 0;
-  message.request_session = stops_.session();
-  message.request_id = stops_.id();
-  message.reason = stop_reason_;
+  const motion::StopLatch& latch = simulation_->latch();
+  message.latched = latch.latched() ? 1 : 0;
+  message.request_session = latch.session();
+  message.request_id = latch.id();
+  message.reason = latch.reason();
   message.device = "arm";
   stop_states_->publish(message);
   if (base_) {
@@ -371,6 +383,14 @@ void SimulatorNode::publish_stop_states() {
     stop_states_->publish(message);
   }
   stop_state_timer_.restart(message.utime);
+  told_latched_ = latch.latched();
+}
+
+// Two writers of its commands latch the world by themselves.
+void SimulatorNode::tell_of_a_latch() {
+  if (simulation_->latch().latched() == told_latched_) return;
+  spdlog::warn("STOP latched: {}", simulation_->latch().reason());
+  publish_stop_states();
 }
 
 void SimulatorNode::repeat_odometry() {

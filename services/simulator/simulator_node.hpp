@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/command_inbox.hpp"
 #include "common/bus/repeat_timer.hpp"
 #include "common/bus/service.hpp"
+#include "common/motion/command_inbox.hpp"
 #include "services/simulator/base_node.hpp"
 #include "services/simulator/lockstep_barrier.hpp"
 #include "services/simulator/lockstep_node.hpp"
@@ -58,6 +58,7 @@ class SimulatorNode : public bus::Service {
   void publish_truth();
   void publish_joint_state();
   void publish_stop_states();
+  void tell_of_a_latch();
   // True if an odometry went out.
   bool publish_base();
   void repeat_odometry();
@@ -87,10 +88,9 @@ class SimulatorNode : public bus::Service {
   std::optional<bus::Publisher<SimTruth>> truths_;
   std::unique_ptr<BaseNode> base_;  // null: the robot has none
   LockstepBarrier barrier_{{}};     // of frames
-  bus::CommandInbox stops_;
-  bus::CommandInbox controls_;
+  motion::CommandInbox controls_{"SIM_CONTROL", "the simulated world"};
   bus::RepeatTimer stop_state_timer_{bus::kStateRepeat_us};
-  std::string stop_reason_ = "comes up stopped";
+  bool told_latched_ = true;
   std::string control_error_;
   SimTruth truth_{};  // of the newest frame
   std::int64_t frame_seq_ = 0;

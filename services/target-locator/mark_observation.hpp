@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/geometry/stereo_camera.hpp"
+#include "common/states/mark_status.hpp"
 #include "services/target-locator/plane_image.hpp"
 
 namespace markservo::target_locator {
@@ -46,7 +47,7 @@ struct MarkObservation {
   double size = 0.0;  // m, edge of the square; 0: unknown
 };
 
-enum class Status { kLocated, kUnseen, kSeenByOne, kClipped, kTooFewMatches, kInconsistent };
+using Status = MarkStatus;
 
 struct Match {
   double u_left = 0.0;    // px

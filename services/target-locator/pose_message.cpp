@@ -1,5 +1,7 @@
 #include "services/target-locator/pose_message.hpp"
 
+#include "common/messages/state_codes.hpp"
+
 namespace markservo::target_locator {
 namespace {
 
@@ -30,24 +32,6 @@ Vector3 message_of(const Eigen::Vector3d& v) {
   return message;
 }
 
-int8_t status_of(Status status) {
-  switch (status) {
-    case Status::kLocated:
-      return LocatedMark::LOCATED;
-    case Status::kUnseen:
-      return LocatedMark::UNSEEN;
-    case Status::kSeenByOne:
-      return LocatedMark::SEEN_BY_ONE;
-    case Status::kClipped:
-      return LocatedMark::CLIPPED;
-    case Status::kTooFewMatches:
-      return LocatedMark::TOO_FEW_MATCHES;
-    case Status::kInconsistent:
-      break;
-  }
-  return LocatedMark::INCONSISTENT;
-}
-
 }  // namespace
 
 geometry::StereoCamera camera_of(const StereoCalibration& c) {
@@ -67,7 +51,7 @@ LocatedMark located_mark(const DetectedMark& mark, const Location& location) {
   LocatedMark message{};
   message.name = mark.name;
   message.role = mark.role;
-  message.status = status_of(location.status);
+  message.status = messages::code_of(location.status);
   message.p_C = message_of(location.p_C);
   message.covariance.xx = location.covariance(0, 0);
   message.covariance.xy = location.covariance(0, 1);

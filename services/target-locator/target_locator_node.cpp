@@ -57,6 +57,7 @@ void TargetLocatorNode::start(bus::Bus& bus) {
   poses_.emplace(bus.advertise(channels::kTargetPose));
   matches_.emplace(bus.advertise(channels::kStereoMatches));
   bus.on_latest(channels::kMarkDetection, [this](const MarkDetection& detection) { handle(detection); });
+  bus.need(channels::kMarkDetection);
 }
 
 void TargetLocatorNode::handle(const MarkDetection& detection) {

@@ -1,33 +1,28 @@
 #include "services/task-manager/command_queue.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace markservo::task_manager {
 
-void CommandQueue::add(const Command& command, Time now) {
-  const auto known = std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& other) {
-    return other.command.session == command.session && other.command.id == command.id;
+void CommandQueue::add(const Command& command) {
+  const auto known = std::find_if(waiting_.begin(), waiting_.end(), [&](const Command& other) {
+    return other.session == command.session && other.id == command.id;
   });
   if (known != waiting_.end()) {
-    known->heard = now;
+    *known = command;
     return;
   }
   if (waiting_.size() >= kMost) {
     const auto moves = std::find_if(waiting_.begin(), waiting_.end(),
-                                    [](const Waiting& other) { return other.command.kind != CommandKind::kAbort; });
+                                    [](const Command& other) { return other.kind != CommandKind::kAbort; });
     waiting_.erase(moves == waiting_.end() ? waiting_.begin() : moves);
   }
-  waiting_.push_back({command, now});
+  waiting_.push_back(command);
 }
 
-std::vector<Command> CommandQueue::take(Time now, bool ageing) {
-  std::vector<Command> commands;
-  for (const Waiting& waiting : waiting_) {
-    const bool old = ageing && waiting.command.kind != CommandKind::kAbort && now - waiting.heard > kPatience_us;
-    if (!old) commands.push_back(waiting.command);
-  }
-  waiting_.clear();
-  return commands;
+std::vector<Command> CommandQueue::take() {
+  return std::exchange(waiting_, {});
 }
 
 }  // namespace markservo::task_manager

@@ -24,12 +24,11 @@ Output Procedure::step(const Input& input, State& state) const {
 }
 
 void ProcedureStep::run() {
+  watch_the_clock();
   watch_the_arm();
   watch_the_stop_devices();
   watch_the_hand();
-  for (const Command& command : in_.commands) {
-    if (s_.inbox.accept(command.session, command.id)) execute(command);
-  }
+  for (const Command& command : in_.commands) hear(command);
   watch_the_servo();
   if (under_way(s_.phase)) run_phase();
   if (s_.goal.id == 0 && in_.arm && robot_.arm) hold();
@@ -48,6 +47,18 @@ void ProcedureStep::run() {
   out_.reason = s_.reason;
   out_.command_session = s_.inbox.session();
   out_.command_id = s_.inbox.id();
+}
+
+// All that is timed would wait for the old time to come again.
+void ProcedureStep::watch_the_clock() {
+  constexpr double kStep_s = 1.0;
+  const std::int64_t before = std::exchange(s_.utime, in_.utime);
+  if (seconds_between(in_.utime, before) <= kStep_s) return;
+  s_.lost_since.reset();
+  s_.stale_since.reset();
+  s_.stopped_since.reset();
+  s_.unheard_since.reset();
+  if (under_way(s_.phase)) stop("the clock of SERVO_STATUS was set back");
 }
 
 void ProcedureStep::watch_the_arm() {
@@ -95,6 +106,10 @@ void ProcedureStep::watch_the_servo() {
   if (lasts(moving && in_.servo.state == ServoState::kStopped, s_.stopped_since)) {
     stop("visual-servo is stopped: " + in_.servo.reason);
   }
+  const bool unheard = moving && s_.goal.id != 0 && in_.servo.goal_id == 0;
+  if (lasts(unheard, s_.unheard_since)) {
+    fail("visual-servo does not answer the goal" + (in_.servo.reason.empty() ? "" : ": " + in_.servo.reason));
+  }
 }
 
 // A reset simulator or a person may have taken the object away while nothing was under way.
@@ -112,6 +127,21 @@ void ProcedureStep::watch_the_hand() {
     out_.notices.push_back(what);
     // Nothing is left to be held up: the arm stays where it is now.
     if (s_.phase == Phase::kHoldLifted) stop(what);
+  }
+}
+
+void ProcedureStep::hear(const Command& command) {
+  const motion::CommandStamp stamp{command.session, command.id, command.utime};
+  switch (s_.inbox.hear(stamp, in_.now, command.kind == CommandKind::kAbort)) {
+    case motion::CommandHeard::kExecute:
+      execute(command);
+      break;
+    case motion::CommandHeard::kStale:
+      out_.notices.push_back(std::string(command.kind == CommandKind::kStart ? "START" : "HOME") +
+                             " refused: " + s_.inbox.why_stale(stamp, in_.now));
+      break;
+    case motion::CommandHeard::kAgain:
+      break;
   }
 }
 
@@ -309,7 +339,7 @@ MarkReport ProcedureStep::sight_of(const std::string& name) const {
   for (const MarkReport& mark : in_.marks) {
     if (mark.name == name) return mark;
   }
-  return {name, Sight::kUntold, Eigen::Vector3d::Zero()};
+  return {name, std::nullopt, Eigen::Vector3d::Zero()};
 }
 
 }  // namespace markservo::task_manager

@@ -11,17 +11,17 @@
 // LOOK then finds the target where it cannot be taken, DRIVE brings the robot nearer, a few times. In every other
 // phase, and without a task, the base is told to hold.
 //
-// Commands: each is executed once. START and HOME while a task is running are answered and ignored, with a notice;
-// ABORT ends any task where the arm is. HOME with an object held over its place puts it back first; START is refused
-// while the hand holds one. After STOP a new START is needed.
-// In every end state the gripper stays as the arm reports it, so that no reset makes it go on; one that holds something
-// keeps pressing. After a restart it is unknown whether it holds something: a hand that is not open stays closed with
-// the grip's force until HOME or START opens it.
+// Commands: each is executed once, START and HOME only while fresh by the arm's time. START and HOME while a task is
+// running are answered and ignored, with a notice; ABORT ends any task where the arm is. HOME with an object held over
+// its place puts it back first; START is refused while the hand holds one. After STOP a new START is needed. In every
+// end state the gripper stays as the arm reports it, so that no reset makes it go on; one that holds something keeps
+// pressing. After a restart it is unknown whether it holds something: a hand that is not open stays closed with the
+// grip's force until HOME or START opens it.
 
 #include <memory>
 
-#include "common/bus/command_inbox.hpp"
 #include "common/bus/repeat_timer.hpp"
+#include "common/motion/command_inbox.hpp"
 #include "services/task-manager/drive_watch.hpp"
 #include "services/task-manager/lift_check.hpp"
 #include "services/task-manager/move_watch.hpp"
@@ -59,7 +59,7 @@ struct State {
   Result result = Result::kNone;
   std::string reason = "started: no task";
   Command task;  // the last START
-  bus::CommandInbox inbox;
+  motion::CommandInbox inbox{"TASK_COMMAND", "JOINT_STATE"};
 
   Goal goal;
   bool goal_is_new = false;
@@ -70,7 +70,7 @@ struct State {
   int stage = 0;                // within a phase
   std::int64_t since = 0;       // us, begin of the stage
   std::int64_t seen_utime = 0;  // us, when what the stage waits for was last seen
-  std::optional<std::int64_t> lost_since, stale_since, stopped_since;
+  std::optional<std::int64_t> lost_since, stale_since, stopped_since, unheard_since;
 
   std::vector<Move> moves;  // the way that is gone, and how far
   std::size_t move_index = 0;
@@ -91,6 +91,7 @@ struct State {
   bool stop_was_latched = false;
   bool stop_was_known = false;
   std::int64_t arm_session = 0;
+  std::int64_t utime = 0;  // us, of the step before
 };
 
 class Procedure {

@@ -17,10 +17,12 @@ class ProcedureStep {
   void run();
 
  private:
+  void watch_the_clock();
   void watch_the_arm();
   void watch_the_stop_devices();
   void watch_the_servo();
   void watch_the_hand();
+  void hear(const Command& command);
   void execute(const Command& command);
   void start(const Command& command);
   void home();

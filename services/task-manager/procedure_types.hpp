@@ -11,29 +11,29 @@
 
 #include "common/geometry/plane_pose.hpp"
 #include "common/robot/robot_description.hpp"
-#include "common/task/task_phase.hpp"
+#include "common/states/base_state.hpp"
+#include "common/states/mark_status.hpp"
+#include "common/states/servo_state.hpp"
+#include "common/states/task_phase.hpp"
 
 namespace markservo::task_manager {
 
 using Phase = TaskPhase;
-
-// As TaskState.lcm numbers them.
-enum class Result { kNone, kLifted, kRefused, kFailed };
+using Result = TaskResult;
+using Sight = MarkStatus;
 
 enum class CommandKind { kStart, kAbort, kHome };
 
 struct Command {
   std::int64_t session = 0;
   std::int64_t id = 0;
+  std::int64_t utime = 0;  // us, as the sender last heard the task's time
   CommandKind kind = CommandKind::kAbort;
   std::string target;
   bool carry = false;
   std::optional<Eigen::Vector3d> p_CT_expected;   // m
   std::optional<geometry::PlanePose> drive_pose;  // X_WR, where to stand; absent: where it stands
 };
-
-// As ServoStatus.lcm numbers them.
-enum class ServoState { kHold, kPosture, kServo, kConverged, kLost, kUnreachable, kStale, kStopped };
 
 struct ServoReport {
   std::int64_t goal_id = 0;  // of ours; 0 when it answers someone else's or none
@@ -42,12 +42,9 @@ struct ServoReport {
   std::string reason;
 };
 
-// As LocatedMark.lcm numbers them; kUntold when TARGET_POSE has no such mark.
-enum class Sight { kLocated, kUnseen, kSeenByOne, kClipped, kTooFewMatches, kInconsistent, kUntold };
-
 struct MarkReport {
   std::string name;
-  Sight sight = Sight::kUnseen;
+  std::optional<Sight> sight = Sight::kUnseen;    // nothing when TARGET_POSE has no such mark
   Eigen::Vector3d p_C = Eigen::Vector3d::Zero();  // m, valid when located
 };
 
@@ -59,9 +56,6 @@ struct ArmReport {
   robot::JointVector q = robot::JointVector::Zero();
   double gripper_opening = 0.0;  // m
 };
-
-// As BaseStatus.lcm numbers them.
-enum class BaseState { kHold, kDriving, kArrived, kBlocked, kLost, kStale, kStopped };
 
 struct BaseReport {
   std::int64_t utime = 0;    // of BASE_STATUS
@@ -81,6 +75,7 @@ struct StopReport {
 // Everything at one SERVO_STATUS.
 struct Input {
   std::int64_t utime = 0;  // the frame's
+  std::int64_t now = 0;    // us, the arm's newest time: what commands' age is judged by
   ServoReport servo;
   std::int64_t pose_utime = 0;  // of the newest TARGET_POSE; 0: none yet
   std::vector<MarkReport> marks;

@@ -5,20 +5,17 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "common/bus/message_traits.hpp"
+#include "common/messages/message_traits.hpp"
+#include "common/messages/motion_messages.hpp"
+#include "common/messages/state_codes.hpp"
 #include "common/robot/configuration_error.hpp"
-#include "common/time/clocks.hpp"
 #include "services/task-manager/options.hpp"
 
 namespace markservo::task_manager {
 namespace {
 
-static_assert(static_cast<int>(Phase::kLook) == 1 && static_cast<int>(Phase::kStopped) == TaskState::STOPPED &&
-                  static_cast<int>(Phase::kDrive) == TaskState::DRIVE,
-              "phases as TaskState.lcm numbers them");
-static_assert(static_cast<int>(BaseState::kStopped) == BaseStatus::STOPPED, "as BaseStatus.lcm numbers them");
-static_assert(static_cast<int>(ServoState::kStopped) == 7, "as ServoStatus.lcm numbers them");
-static_assert(static_cast<int>(Sight::kInconsistent) == 5, "as LocatedMark.lcm numbers them");
+using messages::drop;
+using messages::stamp_of;
 
 constexpr std::int64_t kSilence_us = 1'000'000;  // of a stop device: five repeats of STOP_STATE are missing
 
@@ -26,18 +23,11 @@ Eigen::Vector3d vector(const Vector3& v) {
   return {v.x, v.y, v.z};
 }
 
-template <class Enum>
-Enum checked(int value, Enum last, const char* what) {
-  if (value < 0 || value > static_cast<int>(last)) {
-    throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) + "; allowed: 0 to " +
-                                std::to_string(static_cast<int>(last)));
-  }
-  return static_cast<Enum>(value);
-}
-
 }  // namespace
 
 void TaskManagerNode::add_options(CLI::App& app) {
+  app.add_option("--arm-device", arm_device_, "The arm's name in STOP_STATE")->capture_default_str();
+  app.add_option("--base-device", base_device_, "The base's name in STOP_STATE")->capture_default_str();
   add_parameter_options(app, parameters_);
 }
 
@@ -55,6 +45,7 @@ void TaskManagerNode::start(bus::Bus& bus) {
   bus_ = &bus;
   goals_.emplace(bus.advertise(channels::kServoGoal));
   states_.emplace(bus.advertise(channels::kTaskState));
+  stop_requests_.emplace(bus.advertise(channels::kStop));
   if (robot_.base) {
     base_goals_.emplace(bus.advertise(channels::kBaseGoal));
     bus.on_each(channels::kBaseStatus, [this](const BaseStatus& status) { on_base(status); });
@@ -64,6 +55,10 @@ void TaskManagerNode::start(bus::Bus& bus) {
   bus.on_each(channels::kJointState, [this](const JointState& joints) { on_joints(joints); });
   bus.on_each(channels::kTargetPose, [this](const TargetPose& pose) { on_pose(pose); });
   bus.on_each(channels::kServoStatus, [this](const ServoStatus& status) { on_status(status); });
+  bus.need(channels::kServoStatus);
+  bus.need(channels::kTargetPose);
+  bus.need(channels::kJointState);
+  bus.need(channels::kStopState);
 }
 
 void TaskManagerNode::on_command(const TaskCommand& message) {
@@ -77,13 +72,24 @@ void TaskManagerNode::on_command(const TaskCommand& message) {
   command.carry = message.carry != 0;
   if (message.expected_known != 0) command.p_CT_expected = vector(message.p_CT_expected);
   if (message.drive != 0) command.drive_pose = {message.drive_pose.x, message.drive_pose.y, message.drive_pose.heading};
-  commands_.add(command, steady_clock_us());
+  command.utime = message.utime;
+  const motion::CommandStamp stamp{command.session, command.id, command.utime};
+  const std::int64_t now = watch(arm_device_).now();
+  if (now != 0 && command.kind != CommandKind::kAbort) drop(state_.inbox.why_stale(stamp, now));
+  commands_.add(command);
+}
+
+motion::MoverWatch& TaskManagerNode::watch(const std::string& device) {
+  return movers_.try_emplace(device, device).first->second;
 }
 
 void TaskManagerNode::on_pose(const TargetPose& pose) {
+  const motion::Heard heard = watch(arm_device_).hear_stream(channels::kTargetPose.name, stamp_of(pose));
+  ask_for_stops();
+  drop(motion::why_dropped(heard));
   std::vector<MarkReport> marks;
   for (const LocatedMark& mark : pose.marks) {
-    marks.push_back({mark.name, checked(mark.status, Sight::kInconsistent, "a mark's status"), vector(mark.p_C)});
+    marks.push_back({mark.name, messages::state_of<MarkStatus>(mark.status), vector(mark.p_C)});
   }
   input_.pose_utime = pose.utime;
   input_.marks = std::move(marks);
@@ -98,13 +104,24 @@ void TaskManagerNode::on_joints(const JointState& joints) {
   arm.session = joints.session;
   for (int i = 0; i < robot::kNumJoints; ++i) arm.q[i] = joints.position[static_cast<std::size_t>(i)];
   arm.gripper_opening = joints.gripper_opening;
+  const motion::Word word = watch(arm_device_).hear_report(channels::kJointState.name, stamp_of(joints));
+  ask_for_stops();
+  if (word == motion::Word::kForeign) strangers_ = arm;
+  drop(motion::why_dropped(word));
   input_.arm = arm;
 }
 
 void TaskManagerNode::on_stop(const StopState& stop) {
   const auto& devices = robot_.stop_devices;
   if (std::find(devices.begin(), devices.end(), stop.device) == devices.end()) return;
-  stops_[stop.device] = stop;
+  const motion::Word word = watch(stop.device).hear_stop_state(stamp_of(stop), stop.latched != 0, stop.reason);
+  ask_for_stops();
+  if (word == motion::Word::kReplaced && stop.device == arm_device_ && strangers_ &&
+      strangers_->session == stop.session) {
+    input_.arm = strangers_;
+  }
+  drop(motion::why_dropped(word));
+  stop_state_utimes_[stop.device] = stop.utime;
   if (stop.latched != 0) stopped_meanwhile_ = true;
 }
 
@@ -112,51 +129,92 @@ StopReport TaskManagerNode::stop_report() const {
   StopReport report;
   report.known = true;
   report.meanwhile = stopped_meanwhile_;
+  const auto latched = [&report](const std::string& device, const std::string& why) {
+    report.latched = true;
+    report.reason += (report.reason.empty() ? "" : "; ") + device + ": " + why;
+  };
   for (const std::string& device : robot_.stop_devices) {
-    const auto found = stops_.find(device);
-    if (found == stops_.end() || input_.utime - found->second.utime > kSilence_us) {
+    const auto told = stop_state_utimes_.find(device);
+    if (told == stop_state_utimes_.end() || input_.utime - told->second > kSilence_us) {
       report.known = false;
       report.silent += (report.silent.empty() ? "" : ", ") + device;
     }
-    if (found != stops_.end() && found->second.latched != 0) {
-      report.latched = true;
-      report.reason += (report.reason.empty() ? "" : "; ") + device + ": " + found->second.reason;
+    const auto found = movers_.find(device);
+    if (found == movers_.end()) continue;
+    const motion::MoverWatch& mover = found->second;
+    if (!mover.blocked().empty()) {
+      latched(device, mover.blocked());
+    } else if (mover.latched().value_or(false)) {
+      latched(device, mover.stop_reason());
     }
   }
   return report;
 }
 
+// Where two claim to be one, nothing may move until somebody has looked.
+void TaskManagerNode::ask_for_stops() {
+  for (auto& [device, mover] : movers_) {
+    if (const auto wish = mover.stop_due()) {
+      StopRequest stop = messages::stop_request(*wish, mover.now(), bus_->session(), "task-manager");
+      // One id for the repetitions of one wish, whichever mover it is for.
+      if (asked_ != std::make_pair(device, wish->id)) ++stop_request_id_;
+      asked_ = {device, wish->id};
+      stop.request_id = stop_request_id_;
+      stop_requests_->publish(stop);
+    }
+  }
+}
+
 void TaskManagerNode::on_base(const BaseStatus& status) {
+  const motion::Heard heard = watch(base_device_).hear_stream(channels::kBaseStatus.name, stamp_of(status));
+  ask_for_stops();
+  drop(motion::why_dropped(heard));
   BaseReport report;
   report.utime = status.utime;
   report.goal_id = status.goal_session == base_goals_->session() ? status.goal_id : 0;
-  report.state = checked(status.state, BaseState::kStopped, "BASE_STATUS.state");
+  report.state = messages::state_of<BaseState>(status.state);
   report.reason = status.reason;
   base_reports_.add(report);
 }
 
+// A second visual-servo's word is answered, so that who waits for the answer goes on, but not believed.
+ServoReport TaskManagerNode::servo_report(const ServoStatus& status) {
+  const motion::Heard heard = watch(arm_device_).hear_stream(channels::kServoStatus.name, stamp_of(status));
+  ask_for_stops();
+  const std::string why = motion::why_dropped(heard);
+  if (heard == motion::Heard::kLate) drop(why);
+  ServoReport report;
+  report.goal_id = status.goal_session == goals_->session() ? status.goal_id : 0;
+  report.state = messages::state_of<ServoState>(status.state);
+  report.settled = status.settled != 0;
+  report.reason = status.reason;
+  if (why.empty()) return report;
+  report.state = ServoState::kStale;
+  report.settled = false;
+  report.reason = "SERVO_STATUS " + why;
+  return report;
+}
+
 void TaskManagerNode::on_status(const ServoStatus& status) {
+  input_.servo = servo_report(status);
   input_.utime = status.frame_utime;
-  input_.servo.goal_id = status.goal_session == goals_->session() ? status.goal_id : 0;
-  input_.servo.state = checked(status.state, ServoState::kStopped, "SERVO_STATUS.state");
-  input_.servo.settled = status.settled != 0;
-  input_.servo.reason = status.reason;
+  input_.now = std::max(watch(arm_device_).now(), status.frame_utime);
   input_.base = base_reports_.before(input_.utime);
   input_.stop = stop_report();
   stopped_meanwhile_ = false;
-  input_.commands = commands_.take(steady_clock_us(), !bus_->replaying());
+  input_.commands = commands_.take();
   const Output output = procedure_->step(input_, state_);
   tell(output, input_.utime);
 
   if (output.goal) send(*output.goal, status);
   if (output.drive_goal) send(*output.drive_goal, status);
   TaskState message;
-  bus::answer_frame(message, status);
+  messages::answer_frame(message, status);
   message.command_session = output.command_session;
   message.command_id = output.command_id;
-  message.state = static_cast<int8_t>(output.phase);
+  message.state = messages::code_of(output.phase);
   message.attempt = output.attempt;
-  message.result = static_cast<int8_t>(output.result);
+  message.result = messages::code_of(output.result);
   message.target = output.target;
   message.reason = output.reason;
   states_->publish(message);

@@ -65,7 +65,9 @@ Step Dialogue::step(double now) {
   if (!began_) began_ = now;
   Step step;
   step.lines = std::exchange(lines_, {});
-  if (for_devices()) {
+  if (!two_.empty() && action_ != Action::kStop) {
+    step.ending = Ending{kExitRefused, two_ + ": end one of them, then scripts/task reset"};
+  } else if (for_devices()) {
     step.ending = devices_ending();
   } else if (task_answered_) {
     step.ending = task_ending();

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "common/task/task_phase.hpp"
+#include "common/states/task_phase.hpp"
 
 namespace markservo::task_operator {
 
@@ -57,15 +57,17 @@ struct Parameters {
   double repeat = 0.2;    // s between two sendings: LCM may lose one
 };
 
-// STOP and its reset are sent at once, until every stop device has answered; ABORT at once, until the task has. START
-// and HOME wait until stop devices and task have spoken, are not sent while a stop is latched or a task is under way,
-// and are followed until the task ends.
+// STOP is sent at once and its reset once every stop device has spoken, until every one has answered; ABORT at once,
+// until the task has. START and HOME wait until stop devices and task have spoken, are not sent while a stop is latched
+// or a task is under way, and are followed until the task ends.
 class Dialogue {
  public:
   Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters = {});
 
   void hear(const StopReport& report);
   void hear(const TaskReport& report, double now);
+  // Two answer as one: nothing that either says can be believed. `words` name them.
+  void hear_two(const std::string& words) { two_ = words; }
 
   // What to do at `now`; to be called every 0.1 s or oftener, and no more after an ending.
   Step step(double now);
@@ -91,6 +93,7 @@ class Dialogue {
   double followed_since_ = 0.0;       // s of the messages
   bool clear_ = false;                // nothing is in the request's way
   bool task_answered_ = false;
+  std::string two_;
   std::optional<double> began_;  // the current wait
   std::optional<double> sent_;
   std::vector<std::string> lines_;  // to print at the next step

@@ -4,19 +4,16 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <stdexcept>
 
+#include "common/messages/motion_messages.hpp"
+#include "common/messages/state_codes.hpp"
+#include "common/motion/mover_watch.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
+#include "common/text/text.hpp"
 
 namespace markservo::task_operator {
 namespace {
-
-static_assert(static_cast<int>(Phase::kLook) == TaskState::LOOK && static_cast<int>(Phase::kGoHome) == 10 &&
-                  static_cast<int>(Phase::kStopped) == TaskState::STOPPED,
-              "phases as TaskState.lcm numbers them");
-
-static_assert(static_cast<int>(Phase::kDrive) == TaskState::DRIVE, "phases as TaskState.lcm numbers them");
 
 constexpr std::int64_t kRequest = 1;  // the only one of this program's session
 
@@ -31,6 +28,22 @@ Action action_of(const std::string& text) {
                                                      {"stop", Action::kStop},
                                                      {"reset", Action::kReset}};
   return actions.at(text);
+}
+
+motion::CommandKind kind_of(Action action) {
+  switch (action) {
+    case Action::kStart:
+      return motion::CommandKind::kStart;
+    case Action::kHome:
+      return motion::CommandKind::kHome;
+    case Action::kAbort:
+      return motion::CommandKind::kAbort;
+    case Action::kReset:
+      return motion::CommandKind::kReset;
+    case Action::kStop:
+      break;
+  }
+  return motion::CommandKind::kStop;
 }
 
 std::string targets_of(const robot::RobotDescription& robot) {
@@ -86,6 +99,7 @@ void TaskOperatorNode::configure(const std::string& robot_file) {
     throw ConfigurationError("--target, --drive or --carry: without start; allowed: with start");
   }
   dialogue_.emplace(action_, robot.stop_devices, parameters_);
+  sender_.emplace(robot.stop_devices);
 }
 
 void TaskOperatorNode::start(bus::Bus& bus) {
@@ -97,6 +111,7 @@ void TaskOperatorNode::start(bus::Bus& bus) {
 }
 
 void TaskOperatorNode::on_stop_state(const StopState& state) {
+  sender_->hear_stop_state(state.device, state.utime);
   StopReport report;
   report.device = state.device;
   report.latched = state.latched != 0;
@@ -106,9 +121,10 @@ void TaskOperatorNode::on_stop_state(const StopState& state) {
 }
 
 void TaskOperatorNode::on_task_state(const TaskState& state) {
-  if (state.state < TaskState::IDLE || state.state > TaskState::DRIVE) {
-    throw std::invalid_argument("state is " + std::to_string(state.state) + "; allowed: 0 to 16");
-  }
+  const motion::Heard heard = task_.hear(messages::stamp_of(state), 0);
+  if (heard == motion::Heard::kSecond) dialogue_->hear_two(task_.words());
+  messages::drop(motion::why_dropped(heard));
+  sender_->hear_task_state(state.utime);
   TaskReport report;
   report.time = 1e-6 * static_cast<double>(state.utime);
   if (state.command_session == bus_->session() && state.command_id == kRequest) {
@@ -116,7 +132,7 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
   } else if (state.command_session != 0) {
     report.answers = Answers::kAnother;
   }
-  report.phase = static_cast<Phase>(state.state);
+  report.phase = messages::state_of<Phase>(state.state);
   report.attempt = state.attempt;
   report.target = state.target;
   report.reason = state.reason;
@@ -124,9 +140,11 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
 }
 
 void TaskOperatorNode::send() {
+  const auto utime = sender_->stamp(kind_of(action_));
+  if (!utime) return;  // it would be refused; who has not spoken is told when patience ends
   if (action_ == Action::kStop || action_ == Action::kReset) {
     StopRequest request{};
-    request.utime = bus_->newest_utime();
+    request.utime = *utime;
     request.session = bus_->session();
     request.request_id = kRequest;
     request.kind = action_ == Action::kStop ? StopRequest::STOP : StopRequest::RESET;
@@ -136,7 +154,7 @@ void TaskOperatorNode::send() {
     return;
   }
   TaskCommand command{};
-  command.utime = bus_->newest_utime();
+  command.utime = *utime;
   command.session = bus_->session();
   command.command_id = kRequest;
   command.kind = action_ == Action::kStart  ? TaskCommand::START
@@ -157,10 +175,11 @@ void TaskOperatorNode::run(bus::Bus& bus) {
   do {
     const Step step = dialogue_->step(steady_seconds());
     if (step.send) send();
-    for (const std::string& line : step.lines) std::cout << line << std::endl;
+    for (const std::string& line : step.lines) std::cout << text::printable(line) << std::endl;
     if (!step.ending) continue;
     exit_code_ = step.ending->exit_code;
-    (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ") << step.ending->line << std::endl;
+    (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ")
+        << text::printable(step.ending->line) << std::endl;
     return;
   } while (bus.poll(std::chrono::milliseconds(50)));
   exit_code_ = kExitInterrupted;

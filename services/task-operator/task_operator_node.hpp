@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "common/bus/service.hpp"
+#include "common/motion/command_sender.hpp"
+#include "common/motion/sole_writer.hpp"
 #include "services/task-operator/dialogue.hpp"
 
 namespace markservo::task_operator {
@@ -21,6 +23,8 @@ class TaskOperatorNode : public bus::Service {
  public:
   void add_options(CLI::App& app) override;
   void configure(const std::string& robot_file) override;
+  // A person waits for it.
+  bool waits_for_network() const override { return false; }
   void start(bus::Bus& bus) override;
   void run(bus::Bus& bus) override;
 
@@ -41,6 +45,8 @@ class TaskOperatorNode : public bus::Service {
   Parameters parameters_;
 
   std::optional<Dialogue> dialogue_;
+  std::optional<motion::CommandSender> sender_;
+  motion::SoleWriter task_{"TASK_STATE"};
   bus::Bus* bus_ = nullptr;
   std::optional<bus::Publisher<StopRequest>> stops_;
   std::optional<bus::Publisher<TaskCommand>> commands_;

@@ -19,11 +19,6 @@ class JointHistory {
 
   void forget() { samples_.clear(); }
 
-  // s, from the oldest sample to the newest; 0 when there are none.
-  double span() const {
-    return samples_.empty() ? 0.0 : seconds_between(samples_.front().utime, samples_.back().utime);
-  }
-
   bool empty() const { return samples_.empty(); }
   const JointSample& newest() const { return samples_.back(); }
 

@@ -3,7 +3,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/bus/message_traits.hpp"
+#include "common/messages/message_traits.hpp"
+#include "common/messages/state_codes.hpp"
+#include "common/states/mark_status.hpp"
 
 namespace markservo::visual_servo {
 namespace {
@@ -18,25 +20,6 @@ Eigen::Matrix3d matrix_of(const Covariance3& c) {
   return matrix;
 }
 
-const char* problem_of(int8_t status) {
-  switch (status) {
-    case LocatedMark::LOCATED:
-      return "";
-    case LocatedMark::UNSEEN:
-      return "seen by neither camera";
-    case LocatedMark::SEEN_BY_ONE:
-      return "seen by one camera only";
-    case LocatedMark::CLIPPED:
-      return "cut by an image's border";
-    case LocatedMark::TOO_FEW_MATCHES:
-      return "too few matches";
-    case LocatedMark::INCONSISTENT:
-      return "the two views do not fit together";
-    default:
-      return "of unknown status";
-  }
-}
-
 GoalKind kind_of(int8_t kind) {
   switch (kind) {
     case ServoGoal::HOLD:
@@ -48,28 +31,6 @@ GoalKind kind_of(int8_t kind) {
     default:
       return GoalKind::kUnknown;
   }
-}
-
-int8_t code_of(ServoState state) {
-  switch (state) {
-    case ServoState::kHold:
-      return ServoStatus::HOLD;
-    case ServoState::kPosture:
-      return ServoStatus::POSTURE;
-    case ServoState::kServo:
-      return ServoStatus::SERVO;
-    case ServoState::kConverged:
-      return ServoStatus::CONVERGED;
-    case ServoState::kLost:
-      return ServoStatus::LOST;
-    case ServoState::kUnreachable:
-      return ServoStatus::UNREACHABLE;
-    case ServoState::kStale:
-      return ServoStatus::STALE;
-    case ServoState::kStopped:
-      return ServoStatus::STOPPED;
-  }
-  return ServoStatus::STOPPED;
 }
 
 }  // namespace
@@ -112,7 +73,7 @@ PoseSample pose_sample(const TargetPose& message) {
     MarkSample sample;
     sample.name = mark.name;
     sample.located = mark.status == LocatedMark::LOCATED;
-    sample.problem = problem_of(mark.status);
+    if (!sample.located) sample.problem = name_of(messages::state_of<MarkStatus>(mark.status));
     sample.p_C = vector_of(mark.p_C);
     sample.covariance = matrix_of(mark.covariance);
     pose.marks.push_back(sample);
@@ -122,7 +83,7 @@ PoseSample pose_sample(const TargetPose& message) {
 
 JointCommand command_message(const Command& command, const TargetPose& pose) {
   JointCommand message{};
-  bus::answer_frame(message, pose);
+  messages::answer_frame(message, pose);
   message.joint_session = command.joint_session;
   message.num_joints = robot::kNumJoints;
   message.position.assign(command.position.data(), command.position.data() + robot::kNumJoints);
@@ -134,10 +95,10 @@ JointCommand command_message(const Command& command, const TargetPose& pose) {
 
 ServoStatus status_message(const Status& status, const TargetPose& pose) {
   ServoStatus message{};
-  bus::answer_frame(message, pose);
+  messages::answer_frame(message, pose);
   message.goal_session = status.goal_session;
   message.goal_id = status.goal_id;
-  message.state = code_of(status.state);
+  message.state = messages::code_of(status.state);
   message.settled = status.settled ? 1 : 0;
   message.error_C.x = status.error.x();
   message.error_C.y = status.error.y();

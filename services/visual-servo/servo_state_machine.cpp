@@ -101,8 +101,7 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     status.reason = "no JOINT_STATE yet";
     return output;
   }
-  const bool place_known = state.joints.span() >= kPlaceKnown_s;
-  if (!state.commanded || (state.adopt_joints && place_known)) adopt_joints(state);
+  if (!state.commanded || state.adopt_joints) adopt_joints(state);
   const std::string stale = why_stale(pose, state);
   // One picture with an impossible time must not make all that follow look old.
   if (stale.empty()) advance_time(pose, state);
@@ -119,10 +118,10 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     status.state = ServoState::kStopped;
     status.reason = !state.stop_latched ? "no STOP_STATE of the arm yet" : state.stop_reason;
     if (status.reason.empty()) status.reason = "STOP is latched";
-  } else if (!stale.empty() || state.adopt_joints) {
+  } else if (!stale.empty()) {
     hold(state);
     status.state = ServoState::kStale;
-    status.reason = stale.empty() ? "JOINT_STATE began anew" : stale;
+    status.reason = stale;
   } else if (const std::string goal_stale = why_goal_is_stale(state); !goal_stale.empty()) {
     state.sight.window.clear();
     state.paper_frames = 0;
@@ -153,6 +152,8 @@ void ServoStateMachine::advance_time(const PoseSample& pose, State& state) const
 void ServoStateMachine::adopt_joints(State& state) const {
   const JointSample& now = state.joints.newest();
   state.command.position = now.position;
+  // Nothing is to move by it: slow, so that an arm that is elsewhere refuses it as leading its shafts too far.
+  state.command.speed_limit.setConstant(kSlowestRamp);
   state.command_utime = now.utime;
   state.adopt_joints = false;
   state.last_step.setZero();
@@ -160,7 +161,6 @@ void ServoStateMachine::adopt_joints(State& state) const {
   state.paper_frames = 0;
   if (state.commanded) return adopt_gripper(state);
   state.commanded = true;
-  state.command.speed_limit.setConstant(parameters_.posture.joint_speed);
   // Until a goal is learned the gripper stays as it is; one that holds something goes on pressing.
   set_opening(now.contact ? 0.0 : now.gripper_opening, state);
   state.command.gripper_force = arm_.gripper.force_max;

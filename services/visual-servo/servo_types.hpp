@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
+#include "common/states/servo_state.hpp"
 #include "common/time/seconds_between.hpp"
 
 namespace markservo::visual_servo {
@@ -58,8 +59,6 @@ struct Goal {
   double gripper_opening = 0.0;                      // m
   double gripper_force = 0.0;                        // N
 };
-
-enum class ServoState { kHold, kPosture, kServo, kConverged, kLost, kUnreachable, kStale, kStopped };
 
 // One JOINT_COMMAND.
 struct Command {

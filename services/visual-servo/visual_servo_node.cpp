@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "common/bus/number_options.hpp"
+#include "common/messages/motion_messages.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/stop_device.hpp"
 #include "services/visual-servo/servo_messages.hpp"
@@ -12,43 +13,14 @@
 namespace markservo::visual_servo {
 namespace {
 
-const char* name_of(ServoState state) {
-  switch (state) {
-    case ServoState::kHold:
-      return "hold";
-    case ServoState::kPosture:
-      return "posture";
-    case ServoState::kServo:
-      return "servo";
-    case ServoState::kConverged:
-      return "converged";
-    case ServoState::kLost:
-      return "lost";
-    case ServoState::kUnreachable:
-      return "unreachable";
-    case ServoState::kStale:
-      return "stale";
-    case ServoState::kStopped:
-      return "stopped";
-  }
-  return "unknown";
-}
-
-motion::Stamp stamp_of(const TargetPose& pose) {
-  return {pose.session, pose.seq, pose.utime};
-}
+using messages::drop;
+using messages::stamp_of;
 
 motion::Stamp frame_of(const TargetPose& pose) {
   return {pose.frame_session, pose.frame_seq, pose.frame_utime};
 }
 
-// Counted as refused on its channel, and logged.
-void drop(const std::string& why) {
-  if (!why.empty()) throw std::invalid_argument(why);
-}
-
 }  // namespace
-
 void VisualServoNode::add_options(CLI::App& app) {
   SightParameters& sight = parameters_.sight;
   const bus::NumberOptions number(app);
@@ -105,11 +77,14 @@ void VisualServoNode::start(bus::Bus& bus) {
   bus.on_each(channels::kJointState, [this](const JointState& joints) { on_joints(joints); });
   bus.on_each(channels::kServoGoal, [this](const ServoGoal& goal) { on_goal(goal); });
   bus.on_latest(channels::kTargetPose, [this](const TargetPose& pose) { on_pose(pose); });
+  bus.need(channels::kTargetPose);
+  bus.need(channels::kJointState);
+  bus.need(channels::kStopState);
 }
 
 void VisualServoNode::on_stop(const StopState& stop) {
   if (stop.device != stop_device_) return;
-  const motion::Word word = arm_->hear_stop_state({stop.session, stop.seq, stop.utime}, stop.latched != 0, stop.reason);
+  const motion::Word word = arm_->hear_stop_state(stamp_of(stop), stop.latched != 0, stop.reason);
   if (word == motion::Word::kReplaced) {
     machine_->begin_anew("the arm began anew", state_);
     if (strangers_ && strangers_->session == stop.session) machine_->observe(*strangers_, state_);
@@ -123,7 +98,7 @@ void VisualServoNode::on_stop(const StopState& stop) {
 
 void VisualServoNode::on_joints(const JointState& joints) {
   const JointSample sample = joint_sample(joints);
-  const motion::Word word = arm_->hear_report(channels::kJointState.name, {joints.session, joints.seq, joints.utime});
+  const motion::Word word = arm_->hear_report(channels::kJointState.name, stamp_of(joints));
   if (word == motion::Word::kForeign) strangers_ = sample;
   if (word == motion::Word::kAnew) machine_->begin_anew("the clock of JOINT_STATE was set back", state_);
   const std::string why = motion::why_dropped(word);
@@ -164,25 +139,20 @@ void VisualServoNode::on_pose(const TargetPose& pose) {
 // What two that claim to be one lead to.
 void VisualServoNode::after_input() {
   state_.blocked = arm_->blocked();
-  const auto wish = arm_->stop_due();
-  if (!wish) return;
-  StopRequest stop{};
-  stop.utime = arm_->now();
-  stop.session = bus_->session();
-  stop.request_id = wish->id;
-  stop.kind = StopRequest::STOP;
-  stop.source = "visual-servo";
-  stop.reason = wish->reason;
-  stops_->publish(stop);
+  if (const auto wish = arm_->stop_due()) {
+    StopRequest stop = messages::stop_request(*wish, arm_->now(), bus_->session(), "visual-servo");
+    stops_->publish(stop);
+  }
 }
 
 std::string VisualServoNode::notice() const {
+  if (!arm_->blocked().empty()) return arm_->blocked();
   std::string second = state_.goals.second(arm_->now(), parameters_.goal_age);
   return second.empty() ? arm_->stranger() : second;
 }
 
 void VisualServoNode::tell(const Status& status) {
-  const std::string others = arm_->blocked().empty() ? notice() : arm_->blocked();
+  const std::string others = notice();
   if (told_ == status.state && told_notice_ == others) return;  // reasons may hold numbers that change with every frame
   told_ = status.state;
   told_notice_ = others;

@@ -32,7 +32,10 @@ Rig::Rig(const std::string& lcm_url, const std::string& robot, Pace pace)
   bus_.on_each(channels::kServoStatus, [this](const ServoStatus& status) { servo_ = status; });
   bus_.on_each(channels::kTaskState, [this](const TaskState& state) { task_ = state; });
   bus_.on_latest(channels::kMarkDetection, [this](const MarkDetection& detection) { detection_ = detection; });
-  bus_.on_each(channels::kStopState, [this](const StopState& state) { stops_heard_[state.device] = state; });
+  bus_.on_each(channels::kStopState, [this](const StopState& state) {
+    stops_heard_[state.device] = state;
+    sender_.hear_stop_state(state.device, state.utime);
+  });
   bus_.on_each(channels::kServiceStatus, [this](const ServiceStatus& status) {
     if (status.state != "starting") started_.insert(status.pid);
   });
@@ -63,7 +66,6 @@ void Rig::wait_for_world() {
 void Rig::reset(int64_t seed, const Settings& settings) {
   SimControl control{};
   control.kind = SimControl::RESET;
-  control.utime = truth_.utime;
   control.session = controls_.session();
   control.control_id = next_id_++;
   control.seed = seed;
@@ -74,6 +76,7 @@ void Rig::reset(int64_t seed, const Settings& settings) {
   }
   control.num_parameters = static_cast<int32_t>(control.parameters.size());
   const auto send = [&] {
+    control.utime = truth_.utime;  // anew each time: an old one is refused
     controls_.publish(control);
     send_step();
   };
@@ -89,12 +92,16 @@ void Rig::unlatch(const std::function<bool()>& answered) {
   if (answered && pace_ == Pace::kLockstep) wait("the services' answer to the first frame", answered);
   StopRequest request{};
   request.kind = StopRequest::RESET;
-  request.utime = truth_.utime;
   request.session = stops_.session();
   request.request_id = next_id_++;
   request.source = "experiment";
   request.reason = "a trial begins";
-  const auto send = [&] { stops_.publish(request); };
+  const auto send = [&] {
+    const auto stamp = sender_.stamp(motion::CommandKind::kReset);
+    if (!stamp) return;  // a stop device is not heard yet
+    request.utime = *stamp;
+    stops_.publish(request);
+  };
   send();
   const auto released = [&](const auto& heard) {
     const StopState& state = heard.second;
@@ -138,7 +145,6 @@ void Rig::wait_for_detection() {
 void Rig::command(TaskCommand message) {
   message.session = commands_.session();
   message.command_id = next_id_++;
-  message.utime = truth_.utime;
   const auto echoed = [&] {
     return task_.command_session == message.session && task_.command_id == message.command_id;
   };
@@ -146,6 +152,7 @@ void Rig::command(TaskCommand message) {
   while (!echoed()) {
     if (std::chrono::steady_clock::now() - begin > kPatience) throw RigFailure("no task-manager answers TASK_COMMAND");
     if (pace_ == Pace::kLockstep) wait(channels::kTaskState.name, [this] { return task_answered(); });
+    message.utime = truth_.utime;
     commands_.publish(message);
     step();
   }

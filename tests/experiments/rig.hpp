@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/motion/command_sender.hpp"
 
 namespace markservo::experiments {
 
@@ -99,6 +100,7 @@ class Rig {
   ServoStatus servo_{};
   TaskState task_{};
   std::map<std::string, StopState> stops_heard_;  // by device
+  motion::CommandSender sender_{{"arm"}};         // every simulated robot has one
   MarkDetection detection_{};
   ServoGoal goal_{};
   std::set<pid_t> started_;  // processes whose service has said that it runs

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <markservo/TaskState.hpp>
 
-#include "common/task/task_phase.hpp"
+#include "common/states/task_phase.hpp"
 
 namespace markservo::experiments {
 

@@ -15,7 +15,7 @@ namespace {
 template <class M>
 M numbered() {
   M message{};
-  if constexpr (bus::has_seq<M>::value) {
+  if constexpr (messages::has_seq<M>::value) {
     message.session = 1;
     message.seq = 1;
   }
@@ -112,10 +112,18 @@ JointState valid_message<JointState>() {
 template <>
 TaskCommand valid_message<TaskCommand>() {
   auto command = numbered<TaskCommand>();
+  command.session = 1;
   command.target = "red";
   command.drive = 1;
   command.drive_pose = {0.2, 1.05, 1.5};
   return command;
+}
+
+template <>
+StopRequest valid_message<StopRequest>() {
+  auto request = numbered<StopRequest>();
+  request.session = 1;
+  return request;
 }
 
 template <>
@@ -180,7 +188,7 @@ BaseGoal valid_message<BaseGoal>() {
 template <class M>
 void write(const std::string& folder, uint8_t index) {
   const M message = valid_message<M>();
-  if (const std::string why = bus::broken_rule(message); !why.empty()) {
+  if (const std::string why = messages::broken_rule(message); !why.empty()) {
     std::fprintf(stderr, "the seed of %s is not valid: %s\n", M::getTypeName(), why.c_str());
   }
   std::vector<uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));

@@ -6,7 +6,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <cstring>
 #include <markservo/ServiceStatus.hpp>
 #include <string>
 #include <utility>
@@ -19,13 +18,6 @@ namespace markservo::fuzz {
 // Any bytes, sent as they are.
 struct Datagram {
   std::vector<uint8_t> bytes;
-
-  int getEncodedSize() const { return static_cast<int>(bytes.size()); }
-  int encode(void* buffer, int offset, int size) const {
-    if (size < getEncodedSize()) return -1;
-    if (!bytes.empty()) std::memcpy(static_cast<uint8_t*>(buffer) + offset, bytes.data(), bytes.size());
-    return getEncodedSize();
-  }
 };
 
 // A message's bytes; none if it cannot be sent.
@@ -46,8 +38,7 @@ class NodeOnBus {
   };
 
   // `channel` is what the node reads.
-  explicit NodeOnBus(const channels::Entry& channel)
-      : channel_(channel), bus_(parameters()), sender_(bus_.advertise(channel_)) {
+  explicit NodeOnBus(const channels::Entry& channel) : channel_(channel), bus_(parameters()) {
     spdlog::set_level(spdlog::level::off);
     CLI::App app;
     node_.add_options(app);
@@ -59,8 +50,8 @@ class NodeOnBus {
   bus::Bus& bus() { return bus_; }
 
   // Sends to the node and handles all that follows from it.
-  void send(Datagram datagram) {
-    sender_.publish(datagram);
+  void send(const Datagram& datagram) {
+    bus_.publish_raw(channel_.name, datagram.bytes.data(), datagram.bytes.size());
     for (int i = 0; i < 2; ++i) bus_.poll(std::chrono::milliseconds(0));  // the message, then the answers
   }
 
@@ -80,10 +71,9 @@ class NodeOnBus {
     return parameters;
   }
 
-  channels::Channel<Datagram> channel_;
+  channels::Entry channel_;
   bus::Bus bus_;
   Node node_;
-  bus::Publisher<Datagram> sender_;
 };
 
 }  // namespace markservo::fuzz

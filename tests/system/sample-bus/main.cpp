@@ -7,10 +7,12 @@
 //   TASK_COMMAND  the first second only
 //   STEREO_FRAME  8 x 4 px
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <lcm/lcm-cpp.hpp>
 #include <markservo/JointState.hpp>
 #include <markservo/ServoGoal.hpp>
 #include <markservo/StereoFrame.hpp>
@@ -20,6 +22,7 @@
 #include <markservo/channels.hpp>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -38,21 +41,36 @@ volatile std::sig_atomic_t signalled = 0;
 struct Options {
   std::string url = markservo::bus::kDefaultUrl;
   int64_t goal_id = 4711;
-  double speed = 0.375;  // m/s
-  double x = 0.125;      // m
+  double speed = 0.375;           // m/s
+  double x = 0.125;               // m
+  std::vector<std::string> only;  // channels; empty: all
+};
+
+// What the publishers write to.
+class Outlet final : public markservo::bus::MessageSink {
+ public:
+  Outlet(lcm::LCM* lcm, std::vector<std::string> only) : lcm_(lcm), only_(std::move(only)) {}
+  bool send(const std::string& channel, const void* data, std::size_t size) override {
+    if (!only_.empty() && std::find(only_.begin(), only_.end(), channel) == only_.end()) return true;
+    return lcm_->publish(channel, data, static_cast<unsigned int>(size)) >= 0;
+  }
+
+ private:
+  lcm::LCM* lcm_;
+  std::vector<std::string> only_;
 };
 
 class SampleBus {
  public:
   SampleBus(lcm::LCM* lcm, const Options& options)
-      : lcm_(lcm),
+      : outlet_(lcm, options.only),
         options_(options),
-        goals_(lcm, channels::kServoGoal.name, 101),
-        poses_(lcm, channels::kTargetPose.name, 102),
-        wheels_(lcm, channels::kWheelOdometry.name, 103),
-        other_wheels_(lcm, channels::kWheelOdometry.name, 104),
-        commands_(lcm, channels::kTaskCommand.name, 105),
-        frames_(lcm, channels::kStereoFrame.name, 106) {}
+        goals_(&outlet_, channels::kServoGoal.name, 101),
+        poses_(&outlet_, channels::kTargetPose.name, 102),
+        wheels_(&outlet_, channels::kWheelOdometry.name, 103),
+        other_wheels_(&outlet_, channels::kWheelOdometry.name, 104),
+        commands_(&outlet_, channels::kTaskCommand.name, 105),
+        frames_(&outlet_, channels::kStereoFrame.name, 106) {}
 
   // All channels once, `round` counting from 0.
   void publish(int round, int64_t utime) {
@@ -123,13 +141,13 @@ class SampleBus {
     joints.utime = utime;
     std::vector<uint8_t> bytes(static_cast<std::size_t>(joints.getEncodedSize()));
     joints.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-    lcm_->publish(channels::kJointState.name, bytes.data(), static_cast<unsigned int>(bytes.size() - 1));
+    outlet_.send(channels::kJointState.name, bytes.data(), bytes.size() - 1);
     std::array<uint8_t, 24> foreign{};
     foreign.fill(0x5a);
-    lcm_->publish("FOREIGN", foreign.data(), static_cast<unsigned int>(foreign.size()));
+    outlet_.send("FOREIGN", foreign.data(), foreign.size());
   }
 
-  lcm::LCM* lcm_;
+  Outlet outlet_;
   Options options_;
   Publisher<markservo::ServoGoal> goals_;
   Publisher<markservo::TargetPose> poses_;
@@ -147,6 +165,7 @@ int main(int argc, char** argv) {
   app.add_option("--lcm-url", options.url, "The bus")->envname("MARKSERVO_LCM_URL");
   app.add_option("--goal-id", options.goal_id, "SERVO_GOAL.goal_id");
   app.add_option("--speed", options.speed, "SERVO_GOAL.speed, m/s");
+  app.add_option("--only", options.only, "Channels, separated by commas, instead of all")->delimiter(',');
   app.add_option("--x", options.x, "TARGET_POSE.marks[0].p_C.x, m");
   CLI11_PARSE(app, argc, argv);
   std::signal(SIGTERM, [](int) { signalled = 1; });

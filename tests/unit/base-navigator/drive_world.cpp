@@ -60,7 +60,7 @@ void DriveWorld::step(const Command& command) {
 
 OdometrySample DriveWorld::odometry() const {
   const double tick = robot_.base->metres_per_tick();
-  return {utime, 7, std::floor(left_ / tick) * tick, std::floor(right_ / tick) * tick};
+  return {utime, std::floor(left_ / tick) * tick, std::floor(right_ / tick) * tick};
 }
 
 // The share of the pose's error that is left after standing.

@@ -73,6 +73,7 @@ TEST_F(UnderWay, StandsWhileOdometryGoesBackInTime) {
 
 TEST_F(UnderWay, FollowsANewWritersGoalAfterTheClockWentBack) {
   rig_.world.utime -= 600'000'000;
+  rig_.navigator.begin_anew("the clock of WHEEL_ODOMETRY was set back", rig_.state);
   Goal goal = Rig::goal_at({8.0, 0.0, 0.0});
   goal.session = 6;
   rig_.tell(goal);
@@ -83,9 +84,10 @@ TEST_F(UnderWay, FollowsANewWritersGoalAfterTheClockWentBack) {
 TEST_F(UnderWay, AClockThatWentBackEndsTheGoalFromBefore) {
   rig_.sender_lives = false;
   rig_.world.utime -= 600'000'000;
+  rig_.navigator.begin_anew("the clock of WHEEL_ODOMETRY was set back", rig_.state);
   rig_.run(1.0);
   EXPECT_EQ(rig_.last.status.state, DriveState::kHold);
-  EXPECT_EQ(rig_.last.status.reason, "no goal");
+  EXPECT_EQ(rig_.last.status.reason, "the clock of WHEEL_ODOMETRY was set back: the goal was dropped");
   EXPECT_EQ(rig_.last.status.goal_id, 0);
   EXPECT_EQ(rig_.world.speed, 0.0);
 }

@@ -56,6 +56,23 @@ TEST_F(RobotFile, WithTheSameMarkTwiceIsRefused) {
   EXPECT_NE(refusal().find("red_book"), std::string::npos);
 }
 
+// A name travels in messages and is printed.
+TEST_F(RobotFile, WithANameThatCouldHarmATerminalIsRefused) {
+  for (const char* name : {R"("red\e[31m")", R"("red\nbook")", R"("red\0book")", R"("red\u202Ebook")"}) {
+    const std::string before = text_;
+    change("name: red_book", std::string("name: ") + name);
+    const std::string why = refusal();
+    EXPECT_NE(why.find("'marks[1].name' is 'red\\"), std::string::npos) << why;
+    EXPECT_NE(why.find("allowed: a text of at most 200 bytes of UTF-8"), std::string::npos) << why;
+    text_ = before;
+  }
+}
+
+TEST_F(RobotFile, WithAStopDeviceThatCouldHarmATerminalIsRefused) {
+  change("stop_devices: [", "stop_devices: [\"arm\\r\", ");
+  EXPECT_NE(refusal().find("'stop_devices' is 'arm\\r'"), std::string::npos) << refusal();
+}
+
 TEST_F(RobotFile, WithAHomePostureBeyondALimitIsRefused) {
   change("home_deg: [0.0, 120.0, -150.0]", "home_deg: [0.0, 170.0, -150.0]");
   EXPECT_NE(refusal().find("home_deg[1]"), std::string::npos);

@@ -13,7 +13,10 @@
 namespace markservo::simulator {
 namespace {
 
+using motion::CommandVerdict;
+
 constexpr std::int64_t kSession = 99;
+constexpr std::int64_t kWriter = 5;  // of the commands
 
 Simulation test_simulation(const std::vector<std::pair<std::string, double>>& changes = {}) {
   std::vector<std::pair<std::string, double>> all = {
@@ -22,8 +25,8 @@ Simulation test_simulation(const std::vector<std::pair<std::string, double>>& ch
   return {test_robot(), test_scene(), test_settings(all), 1, Timing::kLockstep, kSession};
 }
 
-// Steps up to the next odometry and tells it as `seq`; all that became due meanwhile.
-MobileBaseOutputs next_odometry(Simulation& simulation, std::int64_t seq) {
+// Steps up to the next odometry and tells it; all that became due meanwhile.
+MobileBaseOutputs next_odometry(Simulation& simulation) {
   MobileBaseOutputs all = simulation.take_due();
   while (!all.odometry) {
     simulation.step();
@@ -32,12 +35,12 @@ MobileBaseOutputs next_odometry(Simulation& simulation, std::int64_t seq) {
     if (due.scan) all.scan = std::move(due.scan);
     all.odometry = due.odometry;
   }
-  simulation.told_odometry(seq);
+  simulation.told_odometry();
   return all;
 }
 
 CommandVerdict go(Simulation& simulation, std::int64_t seq, double speed = 0.4) {
-  return simulation.command_base({kSession, seq, simulation.utime()}, speed, 0.0);
+  return simulation.command_base({{kWriter, seq, simulation.utime()}, kSession}, speed, 0.0);
 }
 
 void step_for(Simulation& simulation, std::int64_t us) {
@@ -64,7 +67,7 @@ TEST(DrivenSimulation, OdometryAndScansBeginAtTheEpochAndFollowTheirRates) {
 
 TEST(DrivenSimulation, NothingDrivesBeforeTheStopIsReset) {
   Simulation simulation = test_simulation();
-  next_odometry(simulation, 1);
+  next_odometry(simulation);
   EXPECT_EQ(go(simulation, 1), CommandVerdict::kLatched);
   step_for(simulation, 500'000);
   EXPECT_EQ(simulation.base_truth().base.pose.y, 0.05);
@@ -72,32 +75,32 @@ TEST(DrivenSimulation, NothingDrivesBeforeTheStopIsReset) {
 
 TEST(DrivenSimulation, AResetOfTheStopDrivesNothingByItself) {
   Simulation simulation = test_simulation();
-  next_odometry(simulation, 1);
-  simulation.release();
+  next_odometry(simulation);
+  release(simulation);
   EXPECT_EQ(go(simulation, 1), CommandVerdict::kBeforeReset);
-  next_odometry(simulation, 2);
+  next_odometry(simulation);
   EXPECT_EQ(speed_of(simulation), 0.0);
   EXPECT_EQ(go(simulation, 2), CommandVerdict::kObeyed);
-  next_odometry(simulation, 3);
+  next_odometry(simulation);
   EXPECT_GT(speed_of(simulation), 0.0);
 }
 
 TEST(DrivenSimulation, OnlyAnswersToAFreshOdometryOfThisSessionCount) {
   Simulation simulation = test_simulation();
-  simulation.release();
-  next_odometry(simulation, 1);
+  release(simulation);
+  next_odometry(simulation);
   const std::int64_t utime = simulation.utime();
-  EXPECT_EQ(simulation.command_base({kSession + 1, 1, utime}, 0.4, 0.0), CommandVerdict::kOtherSession);
-  EXPECT_EQ(simulation.command_base({kSession, 2, utime}, 0.4, 0.0), CommandVerdict::kUnknownFrame);
+  EXPECT_EQ(simulation.command_base({{kWriter, 1, utime}, kSession + 1}, 0.4, 0.0), CommandVerdict::kOtherMover);
+  EXPECT_EQ(simulation.command_base({{kWriter, 2, utime + 30'000}, kSession}, 0.4, 0.0), CommandVerdict::kAhead);
   step_for(simulation, 302'000);
-  EXPECT_EQ(simulation.command_base({kSession, 1, utime}, 0.4, 0.0), CommandVerdict::kStale);
+  EXPECT_EQ(simulation.command_base({{kWriter, 1, utime}, kSession}, 0.4, 0.0), CommandVerdict::kStale);
   EXPECT_EQ(speed_of(simulation), 0.0);
 }
 
 TEST(DrivenSimulation, WithoutCommandsTheBaseBrakesAfterThreeTenthsOfASecond) {
   Simulation simulation = test_simulation();
-  simulation.release();
-  next_odometry(simulation, 1);
+  release(simulation);
+  next_odometry(simulation);
   ASSERT_EQ(go(simulation, 1), CommandVerdict::kObeyed);
   step_for(simulation, 300'000);
   const double fastest = speed_of(simulation);
@@ -110,26 +113,26 @@ TEST(DrivenSimulation, WithoutCommandsTheBaseBrakesAfterThreeTenthsOfASecond) {
 
 TEST(DrivenSimulation, AStopBrakesTheBaseAndLatchesIt) {
   Simulation simulation = test_simulation();
-  simulation.release();
+  release(simulation);
   std::int64_t seq = 0;
   for (int i = 0; i < 25; ++i) {
-    next_odometry(simulation, ++seq);
-    go(simulation, seq);
+    next_odometry(simulation);
+    go(simulation, ++seq);
   }
   const double fastest = speed_of(simulation);
   ASSERT_GT(fastest, 0.35);
-  simulation.stop();
+  stop(simulation);
   step_for(simulation, 600'000);
   EXPECT_EQ(speed_of(simulation), 0.0);
-  next_odometry(simulation, ++seq);
-  EXPECT_EQ(go(simulation, seq), CommandVerdict::kLatched);
+  next_odometry(simulation);
+  EXPECT_EQ(go(simulation, ++seq), CommandVerdict::kLatched);
 }
 
 TEST(DrivenSimulation, TheWorldFollowsTheBase) {
   Simulation simulation = test_simulation();
-  simulation.release();
+  release(simulation);
   for (std::int64_t seq = 1; seq <= 60; ++seq) {
-    next_odometry(simulation, seq);
+    next_odometry(simulation);
     go(simulation, seq);
   }
   const geometry::PlanePose pose = simulation.base_truth().base.pose;
@@ -143,7 +146,7 @@ TEST(DrivenSimulation, TheWorldFollowsTheBase) {
 
 TEST(DrivenSimulation, TheFrontSonarTellsHowFarTheObstacleIs) {
   Simulation simulation = test_simulation();
-  next_odometry(simulation, 1);
+  next_odometry(simulation);
   simulation.set({{"obstacle.present", 1.0}, {"obstacle.x", 0.2}, {"obstacle.y", 0.9}, {"obstacle.size", 0.4}});
   step_for(simulation, 100'000);
   const auto scan = simulation.take_due().scan;
@@ -172,9 +175,9 @@ TEST(DrivenSimulation, RunningIntoSomethingIsRememberedUntilTheReset) {
 
 TEST(DrivenSimulation, AResetPutsTheBaseBackAndLatchesIt) {
   Simulation simulation = test_simulation();
-  simulation.release();
+  release(simulation);
   for (std::int64_t seq = 1; seq <= 20; ++seq) {
-    next_odometry(simulation, seq);
+    next_odometry(simulation);
     go(simulation, seq);
   }
   simulation.reset(2, {{"base.start_x", 0.1}});
@@ -182,12 +185,12 @@ TEST(DrivenSimulation, AResetPutsTheBaseBackAndLatchesIt) {
   EXPECT_EQ(truth.pose.x, 0.1);
   EXPECT_EQ(truth.pose.y, 0.05);
   EXPECT_EQ(truth.speed, 0.0);
-  const MobileBaseOutputs due = next_odometry(simulation, 21);
+  const MobileBaseOutputs due = next_odometry(simulation);
   EXPECT_EQ(due.odometry->utime, simulation.utime()) << "told at once";
   EXPECT_TRUE(due.scan.has_value());
   EXPECT_EQ(go(simulation, 21), CommandVerdict::kLatched);
-  simulation.release();
-  EXPECT_EQ(go(simulation, 21), CommandVerdict::kBeforeReset);
+  release(simulation);
+  EXPECT_EQ(go(simulation, 22), CommandVerdict::kBeforeReset);
 }
 
 TEST(DrivenSimulation, TheReaderCanFailInTheRunningWorld) {
@@ -214,11 +217,11 @@ TEST(DrivenSimulation, ARobotWithoutABaseTellsNothingAndObeysNothing) {
   robot::RobotDescription robot = test_robot();
   robot.base.reset();
   Simulation simulation(robot, test_scene(), test_settings(), 1, Timing::kLockstep, kSession);
-  simulation.release();
+  release(simulation);
   simulation.step();
   EXPECT_FALSE(simulation.has_base());
   EXPECT_FALSE(simulation.take_due().odometry.has_value());
-  EXPECT_EQ(go(simulation, 1), CommandVerdict::kOtherSession);
+  EXPECT_EQ(go(simulation, 1), CommandVerdict::kOtherMover);
 }
 
 }  // namespace

@@ -13,7 +13,10 @@
 namespace markservo::simulator {
 namespace {
 
+using motion::CommandVerdict;
+
 constexpr std::int64_t kSession = 99;
+constexpr std::int64_t kWriter = 5;  // of the commands
 
 Simulation test_simulation(Timing timing = Timing::kLockstep,
                            const std::vector<std::pair<std::string, double>>& changes = {}) {
@@ -27,7 +30,7 @@ void next_frame(Simulation& simulation, std::int64_t seq) {
 }
 
 CommandVerdict answer(Simulation& simulation, std::int64_t seq, const robot::JointVector& q) {
-  return simulation.command({kSession, seq, simulation.utime()}, posture(q, 0.05, 5.0));
+  return simulation.command({{kWriter, seq, simulation.utime()}, kSession}, seq, posture(q, 0.05, 5.0)).verdict;
 }
 
 double distance_from_home(Simulation& simulation) {
@@ -55,7 +58,7 @@ TEST(Simulation, NothingMovesBeforeTheStopIsReset) {
 TEST(Simulation, AResetOfTheStopMovesNothingByItself) {
   Simulation simulation = test_simulation();
   next_frame(simulation, 1);
-  simulation.release();
+  release(simulation);
   EXPECT_EQ(answer(simulation, 1, kElsewhere), CommandVerdict::kBeforeReset);
   next_frame(simulation, 2);
   EXPECT_EQ(distance_from_home(simulation), 0.0);
@@ -65,7 +68,7 @@ TEST(Simulation, AResetOfTheStopMovesNothingByItself) {
 TEST(Simulation, ACommandTakesEffectTheGivenFramesLater) {
   for (const int delay : {0, 1, 3}) {
     Simulation simulation = test_simulation(Timing::kLockstep, {{"servo.delay_frames", delay}});
-    simulation.release();
+    release(simulation);
     next_frame(simulation, 1);
     ASSERT_EQ(answer(simulation, 1, kElsewhere), CommandVerdict::kObeyed);
     for (int seq = 2; seq <= 1 + delay; ++seq) {
@@ -80,7 +83,7 @@ TEST(Simulation, ACommandTakesEffectTheGivenFramesLater) {
 
 TEST(Simulation, InRealTimeACommandTakesEffectTheGivenTimeLater) {
   Simulation simulation = test_simulation(Timing::kRealTime, {{"servo.delay_s", 0.05}});
-  simulation.release();
+  release(simulation);
   simulation.expose(1);
   ASSERT_EQ(answer(simulation, 1, kElsewhere), CommandVerdict::kObeyed);
   for (int i = 0; i < 25; ++i) simulation.step();
@@ -91,10 +94,10 @@ TEST(Simulation, InRealTimeACommandTakesEffectTheGivenTimeLater) {
 
 TEST(Simulation, WithoutCommandsTheArmFreezesAfterThreeTenthsOfASecond) {
   Simulation simulation = test_simulation(Timing::kLockstep, {{"servo.delay_frames", 0.0}});
-  simulation.release();
+  release(simulation);
   next_frame(simulation, 1);
-  ArmCommand slow = posture(kElsewhere, 0.05, 0.1);
-  ASSERT_EQ(simulation.command({kSession, 1, simulation.utime()}, slow), CommandVerdict::kObeyed);
+  ArmCommand slow = posture(test_robot().arm->home + robot::JointVector::Constant(0.1), 0.05, 0.1);
+  ASSERT_EQ(simulation.command({{kWriter, 1, simulation.utime()}, kSession}, 1, slow).verdict, CommandVerdict::kObeyed);
   for (int i = 0; i < 165; ++i) simulation.step();
   EXPECT_FALSE(simulation.world().arm().moving);
   const double there = distance_from_home(simulation);
@@ -103,14 +106,53 @@ TEST(Simulation, WithoutCommandsTheArmFreezesAfterThreeTenthsOfASecond) {
   EXPECT_EQ(distance_from_home(simulation), there);
 }
 
+TEST(Simulation, ACommandThatLeadsTheShaftsTooFarIsNotObeyed) {
+  Simulation simulation = test_simulation(Timing::kLockstep, {{"servo.delay_frames", 0.0}});
+  release(simulation);
+  next_frame(simulation, 1);
+  const robot::JointVector far = test_robot().arm->home + robot::JointVector(0.0, 0.0, 0.5);
+  const CommandAnswer answer =
+      simulation.command({{kWriter, 1, simulation.utime()}, kSession}, 1, posture(far, 0.05, 1.0));
+  EXPECT_FALSE(answer.obeyed());
+  EXPECT_EQ(answer.leads, 2U);
+  next_frame(simulation, 2);
+  EXPECT_EQ(distance_from_home(simulation), 0.0);
+}
+
+TEST(Simulation, TwoWritersOfCommandsLatchUntilOneIsAlone) {
+  Simulation simulation = test_simulation();
+  release(simulation);
+  next_frame(simulation, 1);
+  ASSERT_EQ(answer(simulation, 1, kElsewhere), CommandVerdict::kObeyed);
+  const std::int64_t utime = simulation.utime();
+  const ArmCommand here = posture(test_robot().arm->home, 0.05);
+  simulation.command({{kWriter + 1, 1, utime}, kSession}, 1, here);
+  next_frame(simulation, 2);
+  EXPECT_EQ(answer(simulation, 2, kElsewhere), CommandVerdict::kTwoWriters);
+  EXPECT_TRUE(simulation.latch().latched());
+  EXPECT_EQ(simulation.latch().reason(), "two write JOINT_COMMAND: sessions 5 and 6");
+  release(simulation);
+  EXPECT_TRUE(simulation.latch().latched()) << "it spoke within the last second";
+  for (int i = 0; i < 550; ++i) simulation.step();
+  release(simulation);
+  EXPECT_FALSE(simulation.latch().latched());
+}
+
+TEST(Simulation, AnOldResetReleasesNothing) {
+  Simulation simulation = test_simulation(Timing::kRealTime);
+  EXPECT_EQ(simulation.request({{1, 1, simulation.utime() - 2'280'000'000}, true, "a recording"}),
+            motion::StopHeard::kStale);
+  EXPECT_TRUE(simulation.latch().latched());
+}
+
 TEST(Simulation, AStopFreezesTheArmAtOnce) {
   Simulation simulation = test_simulation(Timing::kRealTime);
-  simulation.release();
+  release(simulation);
   simulation.expose(1);
   ASSERT_EQ(answer(simulation, 1, kElsewhere), CommandVerdict::kObeyed);
   for (int i = 0; i < 20; ++i) simulation.step();
-  simulation.stop();
-  EXPECT_TRUE(simulation.latched());
+  stop(simulation);
+  EXPECT_TRUE(simulation.latch().latched());
   const double there = distance_from_home(simulation);
   for (int i = 0; i < 20; ++i) simulation.step();
   EXPECT_EQ(distance_from_home(simulation), there);
@@ -118,7 +160,7 @@ TEST(Simulation, AStopFreezesTheArmAtOnce) {
 
 TEST(Simulation, AResetPutsTheWorldBackAndLatches) {
   Simulation simulation = test_simulation();
-  simulation.release();
+  release(simulation);
   next_frame(simulation, 1);
   answer(simulation, 1, kElsewhere);
   for (int seq = 2; seq <= 5; ++seq) next_frame(simulation, seq);
@@ -126,9 +168,9 @@ TEST(Simulation, AResetPutsTheWorldBackAndLatches) {
   const std::int64_t before = simulation.utime();
   simulation.reset(7, {{"books.x", 0.0}});
   EXPECT_EQ(distance_from_home(simulation), 0.0);
-  EXPECT_TRUE(simulation.latched());
+  EXPECT_TRUE(simulation.latch().latched());
   EXPECT_EQ(simulation.seed(), 7U);
-  EXPECT_GT(simulation.utime(), before + kCommandTimeout_us);
+  EXPECT_GT(simulation.utime(), before + 300'000);
   EXPECT_TRUE(simulation.frame_due());
   EXPECT_NEAR(mark_of(simulation.world().truth(), "red_book").p_CM.x(), 0.0, 1e-4);
   simulation.reset(8, {});
@@ -137,10 +179,10 @@ TEST(Simulation, AResetPutsTheWorldBackAndLatches) {
 
 TEST(Simulation, AnImpossibleResetChangesNothing) {
   Simulation simulation = test_simulation();
-  simulation.release();
+  release(simulation);
   EXPECT_THROW(simulation.reset(7, {{"books.x", 0.0}, {"no.such", 1.0}}), ConfigurationError);
   EXPECT_EQ(simulation.seed(), 1U);
-  EXPECT_FALSE(simulation.latched());
+  EXPECT_FALSE(simulation.latch().latched());
   EXPECT_EQ(simulation.settings().books_x, 0.0325);
 }
 

@@ -11,6 +11,7 @@
 #include "services/simulator/scene.hpp"
 #include "services/simulator/scene_model.hpp"
 #include "services/simulator/settings.hpp"
+#include "services/simulator/simulation.hpp"
 #include "services/simulator/world.hpp"
 
 namespace markservo::simulator {
@@ -33,6 +34,18 @@ inline Settings test_settings(const std::vector<std::pair<std::string, double>>&
 
 inline World test_world(const Settings& settings, std::uint64_t seed = 1) {
   return World(test_robot(), test_scene(), settings, seed);
+}
+
+// A person's STOP or its reset, each one new.
+inline void ask(Simulation& simulation, bool reset) {
+  static std::int64_t id = 0;
+  simulation.request({{1, ++id, simulation.utime()}, reset, "test"});
+}
+inline void release(Simulation& simulation) {
+  ask(simulation, true);
+}
+inline void stop(Simulation& simulation) {
+  ask(simulation, false);
 }
 
 inline void wait(World& world, double seconds) {

@@ -47,6 +47,7 @@ void FakeRobot::send_drive(const geometry::PlanePose& pose, const std::string& t
 }
 
 void FakeRobot::send_again() {
+  command_.utime = utime_;
   commands_.push_back(command_);
 }
 
@@ -171,7 +172,7 @@ Output FakeRobot::frame() {
     look_for_trespass();
   }
   Input input;
-  input.utime = utime_;
+  input.utime = input.now = utime_;
   input.servo = report();
   input.pose_utime = utime_;
   MarkReport target{"red_book", target_sight, p_CT};

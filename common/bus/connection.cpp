@@ -1,0 +1,121 @@
+#include "common/bus/connection.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "common/bus/bus_unavailable.hpp"
+#include "common/bus/bus_url.hpp"
+#include "common/bus/network_check.hpp"
+
+namespace markservo::bus {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kAskAgain{250};
+constexpr milliseconds kAskTheDeafAgain{2000};  // it takes 0.3 s to find out
+constexpr milliseconds kLately{2000};
+constexpr std::size_t kOneDatagram = 65'000;  // bytes that surely fit into one
+
+// The network is gone, not this one message refused.
+bool tells_of_loss(int error) {
+  return error == ENETUNREACH || error == ENETDOWN || error == EHOSTUNREACH || error == ENODEV ||
+         error == EADDRNOTAVAIL;
+}
+
+bool is_refusal(int error) {
+  return tells_of_loss(error) || error == EPERM || error == EACCES || error == ENOBUFS || error == EMSGSIZE ||
+         error == EINVAL || error == ECONNREFUSED || error == EPIPE;
+}
+
+}  // namespace
+
+Connection::Connection(std::string url, Attach attach) : url_(std::move(url)), attach_(std::move(attach)) {}
+
+bool Connection::open() {
+  if (is_file(url_) && url_.find("mode=w") == std::string::npos && access(file_path(url_).c_str(), R_OK) != 0) {
+    throw BusUnavailable("bus " + url_ + ": the log cannot be read; allowed: an existing LCM log");
+  }
+  return try_to_open();
+}
+
+bool Connection::try_to_open() {
+  const Reachability found = reach(url_, attach_ != nullptr);
+  if (found.kind == Reachability::Kind::kNever) {
+    throw BusUnavailable("bus " + url_ + ": cannot be joined: " + found.reason);
+  }
+  if (found.kind != Reachability::Kind::kReachable) {
+    lost_ = true;
+    deaf_ = found.kind == Reachability::Kind::kDeaf;
+    trouble_ = found.reason;
+    return false;
+  }
+  descriptor_ = -1;
+  lcm_.reset();  // the old one's descriptors first
+  auto opened = std::make_unique<lcm::LCM>(url_);
+  if (!opened->good()) {
+    throw BusUnavailable("bus " + url_ + ": cannot be joined; allowed: udpm://, tcpq://, memq:// or file:// URLs");
+  }
+  if (attach_) {
+    attach_(*opened);
+    descriptor_ = opened->getFileno();  // with it liblcm makes what it hears by
+    if (descriptor_ < 0) {
+      lost_ = true;
+      trouble_ = "liblcm cannot hear on it";
+      return false;
+    }
+  }
+  lcm_ = std::move(opened);
+  lost_ = false;
+  deaf_ = false;
+  trouble_.clear();
+  refused_.lately = 0;
+  return true;
+}
+
+bool Connection::mend(Time now) {
+  if (is_open() || now - asked_ < (deaf_ ? kAskTheDeafAgain : kAskAgain)) return false;
+  asked_ = now;
+  return try_to_open();
+}
+
+void Connection::lose(const std::string& why, Time now) {
+  if (lost_) return;
+  lost_ = true;
+  trouble_ = why;
+  asked_ = now;  // the first question after a moment: a bus that flaps is not opened again and again
+}
+
+bool Connection::publish(const std::string& channel, const void* data, std::size_t size, Time now) {
+  errno = 0;
+  bool sent = lcm_ && lcm_->publish(channel, data, static_cast<unsigned int>(size)) >= 0;
+  const int error = lcm_ ? errno : ENETUNREACH;
+  // liblcm 1.3.1 returns 0 for a message of several datagrams whatever became of them: errno tells.
+  if (sent && is_udpm(url_) && size >= kOneDatagram) sent = !is_refusal(error);
+  if (sent) return true;
+  if (now - refused_at_ > kLately) refused_.lately = 0;
+  refused_at_ = now;
+  ++refused_.lately;
+  ++refused_.total;
+  refused_.channel = channel;
+  refused_.reason = error == 0 ? "refused" : std::strerror(error);
+  if (tells_of_loss(error)) lose(refused_.reason + "; " + multicast_route_advice(), now);
+  return false;
+}
+
+int Connection::handle(milliseconds timeout) {
+  // liblcm aborts when it waits on a socket that it has closed, as it does when its server goes.
+  if (is_tcpq(url_) && lcm_->getFileno() < 0) return -1;
+  return lcm_->handleTimeout(static_cast<int>(timeout.count()));
+}
+
+RefusedSends Connection::refused_sends(Time now) const {
+  RefusedSends refused = refused_;
+  if (now - refused_at_ > kLately) refused.lately = 0;
+  return refused;
+}
+
+}  // namespace markservo::bus

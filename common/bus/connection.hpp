@@ -1,0 +1,75 @@
+#pragma once
+
+// One LCM bus by its URL, held through what happens to the network: opened, lost, opened again. Used by Bus only.
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <lcm/lcm-cpp.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "common/bus/reachability.hpp"
+
+namespace markservo::bus {
+
+// What became of the messages that the network refused.
+struct RefusedSends {
+  std::int64_t total = 0;
+  std::int64_t lately = 0;  // within the last two seconds
+  std::string channel;      // of the newest
+  std::string reason;       // why the newest was refused, in the system's words
+};
+
+class Connection {
+ public:
+  // `attach` subscribes all that is to be heard at a new LCM instance; nothing for a bus that is only written.
+  using Attach = std::function<void(lcm::LCM& lcm)>;
+  using Time = std::chrono::steady_clock::time_point;
+
+  Connection(std::string url, Attach attach);
+
+  // Opens it for the first time. False while what is missing may come (trouble() says what). Throws BusUnavailable for
+  // what waiting does not mend.
+  bool open();
+
+  // Sees to a bus that is lost: asks four times a second whether it is back, and opens it anew, which joins the
+  // multicast group again. True if it was opened in this call. Throws BusUnavailable as open().
+  bool mend(Time now);
+  // The bus is read no more, or hears nothing: mend() opens it anew.
+  void lose(const std::string& why, Time now);
+
+  // False counts the message as refused; it is not kept. Whatever is sent next is tried again.
+  bool publish(const std::string& channel, const void* data, std::size_t size, Time now);
+
+  // As lcm::LCM::handleTimeout(): above 0 if a message was handled, below when it cannot be read.
+  int handle(std::chrono::milliseconds timeout);
+
+  // Null while there is no instance.
+  lcm::LCM* lcm() const { return lcm_.get(); }
+  // Readable when messages wait; -1 while there is no instance.
+  int descriptor() const { return descriptor_; }
+  bool is_open() const { return lcm_ != nullptr && !lost_; }
+  // Why it is not open, and what to do; empty while it is.
+  const std::string& trouble() const { return trouble_; }
+  RefusedSends refused_sends(Time now) const;
+  const std::string& url() const { return url_; }
+
+ private:
+  bool try_to_open();
+
+  std::string url_;
+  Attach attach_;
+  std::unique_ptr<lcm::LCM> lcm_;
+  int descriptor_ = -1;
+  bool lost_ = false;
+  bool deaf_ = false;  // what is sent does not come back
+  std::string trouble_;
+  Time asked_{};
+  RefusedSends refused_;
+  Time refused_at_{};
+};
+
+}  // namespace markservo::bus

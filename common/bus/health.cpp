@@ -1,0 +1,39 @@
+#include "common/bus/health.hpp"
+
+#include <cstdio>
+
+namespace markservo::bus {
+namespace {
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g s", seconds);
+  return text;
+}
+
+bool says_why(const Word& own) {
+  return (own.state == kWaiting || own.state == kStale) && !own.reason.empty();
+}
+
+}  // namespace
+
+std::optional<Word> word_about(const std::vector<NeededInput>& inputs) {
+  for (const NeededInput& input : inputs) {
+    if (input.accepted_age && *input.accepted_age <= input.max_age) continue;
+    const char* state = input.accepted_age ? kStale : kWaiting;
+    if (input.refused_age && *input.refused_age <= input.max_age) {
+      return Word{state, input.channel + ": all refused: " + input.refusal};
+    }
+    if (!input.accepted_age) return Word{state, input.channel + ": not heard yet"};
+    return Word{state, input.channel + ": not heard for more than " + seconds_text(input.max_age)};
+  }
+  return std::nullopt;
+}
+
+Word told_word(const Word& own, const std::optional<Word>& of_network, const std::optional<Word>& of_inputs) {
+  if (of_network) return *of_network;
+  if (of_inputs && !says_why(own)) return *of_inputs;
+  return own;
+}
+
+}  // namespace markservo::bus

@@ -1,0 +1,150 @@
+#pragma once
+
+// Who is on the bus: bookkeeping of what was heard in a span of time. No bus, no clock: the caller tells what came and
+// when.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "common/bus/sequence_monitor.hpp"
+
+namespace markservo::census {
+
+// One message as it came off the bus.
+struct Heard {
+  std::string channel;
+  int64_t hash = 0;  // the type's fingerprint
+  std::string type;  // its name; empty when unknown
+  int64_t bytes = 0;
+  int64_t utime = 0;               // us, this host's wall clock when it came
+  std::optional<int64_t> session;  // of the writer; nothing when the type has none or the message cannot be decoded
+  std::optional<int64_t> seq;
+};
+
+// What a service says of one channel that it reads; ChannelStatus.lcm defines each figure.
+struct ChannelWord {
+  std::string channel;
+  int64_t received = 0;
+  int64_t skipped = 0;
+  int64_t lost = 0;
+  int64_t decode_failures = 0;
+  int64_t refused = 0;
+  bool second_writer = false;
+  double age = -1.0;         // s
+  double latency_p50 = 0.0;  // s
+  double latency_p99 = 0.0;  // s
+};
+
+// One SERVICE_STATUS.
+struct ServiceWord {
+  std::string robot;  // the channel's prefix; empty when it has none
+  std::string name;
+  std::string host;
+  int pid = 0;
+  int64_t session = 0;
+  std::string version;
+  int64_t config_hash = 0;
+  std::string state;
+  std::string reason;
+  int64_t utime = 0;  // us, its host's wall clock
+  std::vector<ChannelWord> channels;
+};
+
+// The service that watches over a stack: each stack on a bus has its own.
+inline constexpr const char* kStackWatch = "stack-watch";
+
+// Whether a service in this state does its work: it has started and waits for no input.
+bool is_ready(const std::string& state);
+
+// The prefix of a channel without its last slash, "r1" of "r1/STOP"; empty when it has none.
+std::string robot_of(const std::string& channel);
+
+// Whether more than one may write the channel by design, of any robot, as the table of channels says.
+bool is_for_many(const std::string& channel);
+
+struct ServiceReport {
+  ServiceWord newest;
+  int64_t heard = 0;                // SERVICE_STATUS messages
+  double silent_s = 0.0;            // since the newest
+  double clock_behind_s = 0.0;      // this host's clock minus the service's: the least that was seen, so with the least
+                                    // delay on the way; negative when the service's clock is ahead
+  bool duplicate = false;           // another process of the same robot and name speaks in turn with it
+  std::vector<std::string> writes;  // channels, SERVICE_STATUS apart
+};
+
+struct WriterReport {
+  int64_t session = 0;
+  std::string service;  // its name; empty when no SERVICE_STATUS of that session was heard
+  int64_t events = 0;
+};
+
+struct ChannelReport {
+  std::string channel;
+  std::string type;
+  int64_t hash = 0;  // of the newest message
+  int64_t events = 0;
+  double hz = 0.0;
+  double bytes_per_s = 0.0;
+  int64_t lost = 0;  // gaps in seq
+  bool several_types = false;
+  bool two_writers = false;  // two sessions write in turn where only one may
+  std::vector<WriterReport> writers;
+};
+
+struct Report {
+  double listened_s = 0.0;
+  std::vector<ServiceReport> services;  // by robot, name, host and pid
+  std::vector<ChannelReport> channels;  // by name
+};
+
+class Census {
+ public:
+  // `utime`: us, when listening began by this host's wall clock; what came before is not counted.
+  explicit Census(int64_t utime) : begin_us_(utime) {}
+
+  void hear(const Heard& message);
+  // A SERVICE_STATUS; the same message goes to hear(Heard) too. `utime`: us, when it came.
+  void hear(const ServiceWord& word, int64_t utime);
+
+  // `utime`: us, when listening ended.
+  Report report(int64_t utime) const;
+
+ private:
+  // More are not kept apart: a hostile writer must not take all memory.
+  static constexpr std::size_t kMaxChannels = 4096;
+  static constexpr std::size_t kMaxServices = 2048;
+  static constexpr std::size_t kMaxWriters = 64;  // of one channel
+
+  struct ChannelTally {
+    int64_t events = 0;
+    int64_t bytes = 0;
+    int64_t first_us = 0;
+    int64_t last_us = 0;
+    int64_t hash = 0;
+    bool several_types = false;
+    std::string type;
+    std::map<int64_t, int64_t> writers;  // events by session
+    bus::SequenceMonitor sequence;
+  };
+  struct ServiceTally {
+    ServiceWord newest;
+    int64_t heard = 0;
+    int64_t last_us = 0;
+    int64_t behind_us = 0;
+  };
+  using Name = std::pair<std::string, std::string>;                                 // robot, name
+  using Process = std::tuple<std::string, std::string, std::string, int, int64_t>;  // and host, pid, session
+
+  bool is_duplicate(const ServiceTally& tally) const;
+
+  int64_t begin_us_;
+  std::map<std::string, ChannelTally> channels_;
+  std::map<Process, ServiceTally> services_;
+  std::map<Name, bus::SequenceMonitor> names_;
+};
+
+}  // namespace markservo::census

@@ -1,0 +1,48 @@
+// stack-watch: runs beside a stack; kills a service that hangs, so that its supervisor starts it again, and answers
+// scripts/stack status.
+//   in: all of the bus, supervisord's socket     out: SERVICE_STATUS, its own socket
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <memory>
+
+#include "common/bus/service.hpp"
+#include "common/bus/tool.hpp"
+#include "services/stack-watch/answering_device.hpp"
+#include "services/stack-watch/stack_watch_node.hpp"
+
+namespace {
+
+namespace watch = markservo::stack_watch;
+
+int run(const watch::StackWatchSettings& settings, const std::string& socket) {
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>("stack-watch", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()));
+  spdlog::set_pattern("%H:%M:%S.%e %n %^%l%$ %v");
+  watch::StackWatchNode node(settings);
+  const watch::AnsweringDevice answering(socket, [&node] { return node.answer(); });
+  node.run();
+  return markservo::bus::kExitStopped;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Runs beside a stack: kills a service that hangs, and tells how all are", "stack-watch");
+  watch::StackWatchSettings settings;
+  settings.url = markservo::bus::kDefaultUrl;
+  std::string socket;
+  double silence_s = 1e-6 * static_cast<double>(settings.silence.silence_us);
+  markservo::bus::add_live_bus_option(app, settings.url);
+  app.add_option("--robot", settings.robot, "Prefix of all channels, for several robots on one bus");
+  app.add_option("--supervisor", settings.supervisor, "supervisord's socket")->required();
+  app.add_option("--socket", socket, "Where it answers")->required();
+  app.add_option("--silence", silence_s, "A service that spoke and then says nothing for so long is killed, s")
+      ->check(CLI::Range(2.0, 3600.0))
+      ->capture_default_str();
+  return markservo::bus::run_tool(app, argc, argv, [&] {
+    settings.silence.silence_us = static_cast<int64_t>(1e6 * silence_s);
+    return run(settings, socket);
+  });
+}

@@ -1,0 +1,95 @@
+#include "services/stack-watch/silence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace markservo::stack_watch {
+
+void SilenceWatch::hear_word(const std::string& name, int pid, int64_t session, int64_t now_us) {
+  const Key key{name, pid};
+  if (speakers_.size() >= kMaxSpeakers && speakers_.count(key) == 0) return;
+  Speaker& speaker = speakers_[key];
+  if (speaker.session != session) {
+    speaker_of_.erase(speaker.session);
+    speaker.session = session;
+    speaker_of_[session] = key;
+  }
+  speaker.heard_us = now_us;
+  speaker.counted_us = std::max(speaker.counted_us, now_us);
+}
+
+void SilenceWatch::hear_session(int64_t session, int64_t now_us) {
+  const auto key = speaker_of_.find(session);
+  if (key == speaker_of_.end()) return;
+  Speaker& speaker = speakers_[key->second];
+  speaker.heard_us = now_us;
+  speaker.counted_us = std::max(speaker.counted_us, now_us);
+}
+
+void SilenceWatch::send_beacon() {
+  if (!beacons_.empty() && !beacons_.back()) ++beacons_in_a_row_missed_;
+  beacons_.push_back(false);
+  if (beacons_.size() > kBeaconsKept) beacons_.pop_front();
+}
+
+void SilenceWatch::hear_beacon(int64_t now_us) {
+  if (bus_is_gone()) {
+    count_anew(now_us + parameters_.return_us);
+    beacons_.clear();  // what was missed then was no chance
+  } else if (heard_no_beacon_) {
+    count_anew(now_us);
+  }
+  heard_no_beacon_ = false;
+  beacons_in_a_row_missed_ = 0;
+  if (!beacons_.empty()) beacons_.back() = true;
+}
+
+std::vector<SilentService> SilenceWatch::tick(const std::vector<RunningProcess>& processes, int64_t now_us) {
+  forget_all_but(processes);
+  if (ticked_us_ >= 0 && now_us - ticked_us_ > parameters_.leap_us) count_anew(now_us);
+  ticked_us_ = now_us;
+  std::vector<SilentService> silent;
+  if (bus_is_gone() || heard_no_beacon_) return silent;
+  for (auto& [key, speaker] : speakers_) {
+    if (now_us - speaker.counted_us < limit_us()) continue;
+    silent.push_back({key.first, key.second, now_us - speaker.heard_us});
+    speaker.counted_us = now_us;
+  }
+  return silent;
+}
+
+void SilenceWatch::forget_all_but(const std::vector<RunningProcess>& processes) {
+  std::set<Key> running;
+  for (const RunningProcess& process : processes) running.insert({process.name, process.pid});
+  for (auto speaker = speakers_.begin(); speaker != speakers_.end();) {
+    if (running.count(speaker->first) > 0) {
+      ++speaker;
+      continue;
+    }
+    speaker_of_.erase(speaker->second.session);
+    speaker = speakers_.erase(speaker);
+  }
+}
+
+int64_t SilenceWatch::limit_us() const {
+  // The newest may still be on its way.
+  const auto known = static_cast<double>(beacons_.empty() ? 0 : beacons_.size() - 1);
+  double missed = 0.0;
+  for (std::size_t i = 0; i + 1 < beacons_.size(); ++i) missed += beacons_[i] ? 0.0 : 1.0;
+  const double share = (missed + 0.5) / (known + 1.0);
+  // So many words, one a second, are lost one after another less often than `chance`.
+  const double words = std::min(std::log(parameters_.chance) / std::log(std::min(share, 0.95)), 300.0);
+  return std::max(parameters_.silence_us, static_cast<int64_t>(1e6 * words));
+}
+
+int64_t SilenceWatch::silent_for_us(const std::string& name, int pid, int64_t now_us) const {
+  const auto speaker = speakers_.find({name, pid});
+  return speaker == speakers_.end() ? -1 : now_us - speaker->second.heard_us;
+}
+
+void SilenceWatch::count_anew(int64_t from_us) {
+  for (auto& [key, speaker] : speakers_) speaker.counted_us = std::max(speaker.counted_us, from_us);
+}
+
+}  // namespace markservo::stack_watch

@@ -1,0 +1,89 @@
+#pragma once
+
+// Who has fallen silent: a service that hangs is alive for the kernel and for its supervisor, but says nothing on the
+// bus any more. No bus, no clock, no process: the caller tells what was heard, sent and found, and when, in us of a
+// clock that nobody sets; times never go back.
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace markservo::stack_watch {
+
+struct SilenceParameters {
+  // Five words are missed then, of one a second, and a machine under load delays one by 1 to 2 s.
+  int64_t silence_us = 5'000'000;
+  // Longer between two ticks, and the watch itself was held up: it knows nothing of that time.
+  int64_t leap_us = 1'000'000;
+  // Own words that do not come back one after another before the bus counts as gone. One a second.
+  int beacons_missed = 3;
+  // What they have on top of silence_us to join the bus again.
+  int64_t return_us = 5'000'000;
+  // Where messages are lost, silence may be chance: the limit grows until that is less likely than this.
+  double chance = 1e-6;
+};
+
+// A process that the supervisor runs.
+struct RunningProcess {
+  std::string name;
+  int pid = 0;
+};
+
+// One that spoke and does not any more.
+struct SilentService {
+  std::string name;
+  int pid = 0;
+  int64_t silent_us = 0;
+};
+
+class SilenceWatch {
+ public:
+  explicit SilenceWatch(SilenceParameters parameters = {}) : parameters_(parameters) {}
+
+  // A service's own word: its SERVICE_STATUS, from this host.
+  void hear_word(const std::string& name, int pid, int64_t session, int64_t now_us);
+  // Any other message of that session.
+  void hear_session(int64_t session, int64_t now_us);
+  // The watch sends a word of its own once a second, which comes back while there is a bus.
+  void send_beacon();
+  void hear_beacon(int64_t now_us);
+
+  // To be called at least four times a second: those silent for too long, of the processes that run now. Each is told
+  // once, and then counted anew; one that never spoke, or that is not in `processes`, is never told.
+  std::vector<SilentService> tick(const std::vector<RunningProcess>& processes, int64_t now_us);
+
+  // Own words do not come back: nobody can be judged.
+  bool bus_is_gone() const { return beacons_in_a_row_missed_ >= parameters_.beacons_missed; }
+  // How long a service may be silent now, us.
+  int64_t limit_us() const;
+  // Since its last sign of life, us; -1 for one that never spoke.
+  int64_t silent_for_us(const std::string& name, int pid, int64_t now_us) const;
+
+ private:
+  using Key = std::pair<std::string, int>;  // name and pid
+  struct Speaker {
+    int64_t session = 0;
+    int64_t heard_us = 0;    // the last sign of life
+    int64_t counted_us = 0;  // silence counts from here
+  };
+
+  void forget_all_but(const std::vector<RunningProcess>& processes);
+  void count_anew(int64_t from_us);
+
+  // Between two ticks; a hostile writer's names must not take all memory, and more services no stack has.
+  static constexpr std::size_t kMaxSpeakers = 1000;
+  static constexpr std::size_t kBeaconsKept = 20;
+
+  SilenceParameters parameters_;
+  std::map<Key, Speaker> speakers_;
+  std::map<int64_t, Key> speaker_of_;  // by session
+  std::deque<bool> beacons_;           // the last ones, the newest at the end: whether it came back
+  int beacons_in_a_row_missed_ = 0;
+  bool heard_no_beacon_ = true;  // until the first comes back
+  int64_t ticked_us_ = -1;
+};
+
+}  // namespace markservo::stack_watch

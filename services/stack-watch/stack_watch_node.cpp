@@ -1,0 +1,279 @@
+#include "services/stack-watch/stack_watch_node.hpp"
+
+#include <spdlog/spdlog.h>
+// glibc 2.36 declares it for C only.
+extern "C" {
+#include <sys/pidfd.h>
+}
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <markservo/ServiceStatus.hpp>
+#include <markservo/channels.hpp>
+#include <nlohmann/json.hpp>
+
+#include "common/bus/end_signals.hpp"
+#include "common/bus/host_name.hpp"
+#include "common/bus/session.hpp"
+#include "common/census/census_messages.hpp"
+#include "common/census/census_text.hpp"
+#include "common/reflection/value_text.hpp"
+#include "common/time/clocks.hpp"
+#include "services/stack-watch/supervisor_reader.hpp"
+
+namespace markservo::stack_watch {
+namespace {
+
+using std::chrono::milliseconds;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kName = census::kStackWatch;
+constexpr milliseconds kTick{200};
+constexpr int64_t kSecond_us = 1'000'000;
+constexpr int64_t kTold_us = 60 * kSecond_us;  // how long SERVICE_STATUS tells of what happened
+constexpr std::size_t kKillsKept = 20;
+constexpr std::size_t kMaxReason = 200;  // bytes, as any text on the bus
+
+Instant now() {
+  return {wall_clock_us(), steady_clock_us()};
+}
+
+bool runs(const SupervisedProcess& process) {
+  return process.pid > 0 && process.name != kName && (process.state == "RUNNING" || process.state == "STARTING");
+}
+
+}  // namespace
+
+StackWatchNode::StackWatchNode(StackWatchSettings settings)
+    : settings_(std::move(settings)),
+      host_(bus::host_name()),
+      session_(bus::random_session()),
+      socket_(group_address(settings_.url)),
+      silence_(settings_.silence),
+      recent_(now()) {
+  bus::note_end_signals();
+  asking_ = std::thread([this] { ask_for_processes(); });
+}
+
+StackWatchNode::~StackWatchNode() {
+  ended_ = true;
+  asking_.join();
+}
+
+void StackWatchNode::run() {
+  keep_bus();
+  int64_t spoken_us = 0;
+  int64_t ticked_us = 0;
+  while (!bus::told_to_end()) {
+    socket_.poll(kTick, [this](const Datagram& datagram) { hear(datagram); });
+    const int64_t steady_us = steady_clock_us();
+    if (steady_us - ticked_us >= 1000 * kTick.count()) {
+      ticked_us = steady_us;
+      tick();
+    }
+    if (steady_us - spoken_us < kSecond_us) continue;
+    spoken_us = steady_us;
+    keep_bus();
+    speak();
+  }
+}
+
+// Where there is no network it is tried again, and where own words do not come back the group is joined anew: the
+// interface may have gone and come.
+void StackWatchNode::keep_bus() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool gone = silence_.bus_is_gone();
+  std::string problem = gone ? "own messages do not come back" : "";
+  if (gone || !socket_.is_open()) {
+    if (const std::string why = socket_.open(); !why.empty()) problem = "it cannot be joined: " + why;
+  }
+  bus_problem_ = problem;
+  if (problem.empty() == !bus_was_gone_) return;
+  bus_was_gone_ = !problem.empty();
+  bus_changed_us_ = wall_clock_us();
+  if (bus_was_gone_) {
+    spdlog::warn("the bus is gone ({}): nobody is killed for silence", problem);
+  } else {
+    spdlog::info("the bus is back: silence is counted anew");
+  }
+}
+
+void StackWatchNode::hear(const Datagram& datagram) {
+  const Instant when = now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (is_crafted(datagram.data, datagram.size, datagram.size)) {
+    if (when.wall_us - crafted_us_ > kTold_us) {
+      spdlog::warn("a crafted fragment came from {}: it ends what reads its channel", datagram.from);
+    }
+    ++crafted_;
+    crafted_us_ = when.wall_us;
+    crafted_from_ = datagram.from;
+    return;
+  }
+  const auto message = read_datagram(datagram.data, datagram.size);
+  if (!message) return;
+  const census::Heard heard =
+      census::heard_of(message->channel, message->payload, message->size, message->message_size, when.wall_us);
+  recent_.hear(heard);
+  if (heard.session) silence_.hear_session(*heard.session, when.steady_us);
+  if (!message->whole) return;
+  const auto word = census::word_in(message->channel, message->payload, message->size);
+  if (!word) return;
+  recent_.hear(*word, when);
+  if (word->session == session_) {
+    silence_.hear_beacon(when.steady_us);
+  } else if (word->host == host_) {
+    silence_.hear_word(word->name, word->pid, word->session, when.steady_us);
+  }
+}
+
+void StackWatchNode::tick() {
+  std::vector<SilentService> silent;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const Instant when = now();
+    recent_.tick(when);
+    silent = silence_.tick(running(), when.steady_us);
+  }
+  for (const SilentService& service : silent) kill_if_supervised(service);
+}
+
+// What it kills is held by a descriptor before the supervisor is asked whether it is still the one: its number cannot
+// go to another process in between.
+void StackWatchNode::kill_if_supervised(const SilentService& silent) {
+  const int descriptor = pidfd_open(silent.pid, 0);
+  if (descriptor < 0) return;
+  try {
+    const auto processes = ask_supervisor(settings_.supervisor);
+    const bool same = std::any_of(processes.begin(), processes.end(), [&silent](const SupervisedProcess& process) {
+      return runs(process) && process.name == silent.name && process.pid == silent.pid;
+    });
+    if (same && pidfd_send_signal(descriptor, SIGKILL, nullptr, 0) == 0) {
+      const double silent_s = 1e-6 * static_cast<double>(silent.silent_us);
+      spdlog::warn("{} (pid {}) said nothing on the bus for {:.1f} s: killed", silent.name, silent.pid, silent_s);
+      const std::lock_guard<std::mutex> lock(mutex_);
+      kills_.push_back({silent.name, silent.pid, silent_s, wall_clock_us()});
+      if (kills_.size() > kKillsKept) kills_.pop_front();
+    }
+  } catch (const SupervisorSilent& error) {
+    spdlog::warn("{} (pid {}) is silent, but is not killed: {}", silent.name, silent.pid, error.what());
+  }
+  close(descriptor);
+}
+
+void StackWatchNode::ask_for_processes() {
+  while (!ended_) {
+    Supervised answer;
+    try {
+      answer.processes = ask_supervisor(settings_.supervisor);
+      answer.alive = true;
+    } catch (const SupervisorSilent& error) {
+      answer.why_not = error.what();
+    }
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const bool changed = answer.alive != supervised_.alive;
+      if (!answer.alive) answer.processes = supervised_.processes;
+      answer.ever_alive = answer.alive || supervised_.ever_alive;
+      answer.changed_us = changed ? wall_clock_us() : supervised_.changed_us;
+      supervised_ = answer;
+      if (changed && !answer.alive) {
+        spdlog::error("the supervisor is dead ({}); services still run: {}", answer.why_not, orphans());
+      } else if (changed) {
+        spdlog::info("the supervisor answers");
+      }
+    }
+    for (int i = 0; i < 10 && !ended_; ++i) std::this_thread::sleep_for(milliseconds(100));
+  }
+}
+
+std::vector<RunningProcess> StackWatchNode::running() const {
+  std::vector<RunningProcess> processes;
+  if (!supervised_.alive) return processes;
+  for (const SupervisedProcess& process : supervised_.processes) {
+    if (runs(process)) processes.push_back({process.name, process.pid});
+  }
+  return processes;
+}
+
+std::string StackWatchNode::orphans() const {
+  std::string text;
+  for (const SupervisedProcess& process : supervised_.processes) {
+    if (!runs(process) || kill(process.pid, 0) != 0) continue;
+    text += (text.empty() ? "" : ", ") + process.name + " (pid " + std::to_string(process.pid) + ")";
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string StackWatchNode::reason(bool* well) const {
+  const int64_t wall_us = wall_clock_us();
+  *well = supervised_.alive || !supervised_.ever_alive;
+  if (!*well) return "the supervisor is dead; services still run: " + orphans();
+  if (!kills_.empty() && wall_us - kills_.back().utime < kTold_us) {
+    return kills_.back().name + " (pid " + std::to_string(kills_.back().pid) + ") said nothing for " +
+           std::to_string(static_cast<int>(kills_.back().silent_s)) + " s and was killed";
+  }
+  if (crafted_ > 0 && wall_us - crafted_us_ < kTold_us) {
+    return std::to_string(crafted_) + " crafted fragments came, the last from " + crafted_from_;
+  }
+  return {};
+}
+
+// Its own word tells others how the stack is, and, when it comes back, that there is a bus.
+void StackWatchNode::speak() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ServiceStatus status{};
+  bool well = true;
+  status.reason = reason(&well);
+  status.reason.resize(std::min(status.reason.size(), kMaxReason));
+  status.utime = wall_clock_us();
+  status.session = session_;
+  status.seq = ++seq_;
+  status.name = kName;
+  status.host = host_;
+  status.pid = getpid();
+  status.version = MARKSERVO_VERSION;
+  status.state = well ? "ready" : "stale";
+  std::vector<std::uint8_t> payload(static_cast<std::size_t>(status.getEncodedSize()));
+  status.encode(payload.data(), 0, static_cast<int>(payload.size()));
+  silence_.send_beacon();
+  const std::string channel =
+      (settings_.robot.empty() ? "" : settings_.robot + "/") + std::string(channels::kServiceStatus.name);
+  socket_.send(short_message(static_cast<std::uint32_t>(seq_), channel, payload));
+}
+
+std::string StackWatchNode::answer() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Instant when = now();
+  const census::Report report = recent_.report(when);
+  Json json = {{"url", settings_.url}, {"host", host_}, {"version", MARKSERVO_VERSION}};
+  json.update(census::json_of(report));
+  for (std::size_t i = 0; i < report.services.size(); ++i) {
+    const auto since_us = recent_.state_since_us(report.services[i].newest);
+    json["services"][i]["state_for_s"] = since_us ? Json(1e-6 * static_cast<double>(when.wall_us - *since_us)) : Json();
+  }
+  Json kills = Json::array();
+  for (const Kill& each : kills_) {
+    kills.push_back({{"name", each.name}, {"pid", each.pid}, {"silent_s", each.silent_s}, {"utime", each.utime}});
+  }
+  Json services = Json::array();
+  for (const RunningProcess& process : running()) {
+    const int64_t silent_us = silence_.silent_for_us(process.name, process.pid, when.steady_us);
+    services.push_back({{"name", process.name},
+                        {"pid", process.pid},
+                        {"silent_s", silent_us < 0 ? Json() : Json(1e-6 * static_cast<double>(silent_us))}});
+  }
+  json["watch"] = {{"pid", getpid()},
+                   {"bus", bus_problem_.empty() ? Json() : Json("the bus is gone: " + bus_problem_)},
+                   {"bus_changed_utime", bus_changed_us_},
+                   {"supervisor", supervised_.alive},
+                   {"supervisor_changed_utime", supervised_.changed_us},
+                   {"silence_limit_s", 1e-6 * static_cast<double>(silence_.limit_us())},
+                   {"processes", services},
+                   {"kills", kills},
+                   {"crafted_fragments", crafted_}};
+  return reflection::json_text(json, -1);
+}
+
+}  // namespace markservo::stack_watch

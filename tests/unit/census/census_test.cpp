@@ -1,0 +1,179 @@
+#include "common/census/census.hpp"
+
+#include <gtest/gtest.h>
+
+#include "common/census/census_text.hpp"
+
+namespace markservo::census {
+namespace {
+
+constexpr int64_t kBegin_us = 1'700'000'000'000'000;
+constexpr int64_t kSecond_us = 1'000'000;
+
+Heard message(const std::string& channel, int64_t at_us, int64_t session, int64_t seq) {
+  Heard heard;
+  heard.channel = channel;
+  heard.hash = 7;
+  heard.type = "Kind";
+  heard.bytes = 100;
+  heard.utime = kBegin_us + at_us;
+  heard.session = session;
+  heard.seq = seq;
+  return heard;
+}
+
+ServiceWord word(const std::string& name, int pid, int64_t session, int64_t at_us) {
+  ServiceWord word;
+  word.name = name;
+  word.host = "here";
+  word.pid = pid;
+  word.session = session;
+  word.state = "ready";
+  word.utime = kBegin_us + at_us;
+  return word;
+}
+
+// `events` messages at 10 Hz.
+void hear_stream(Census& census, const std::string& channel, int events, int64_t session) {
+  for (int i = 0; i < events; ++i) census.hear(message(channel, i * 100'000, session, i + 1));
+}
+
+ChannelReport channel_of(const Census& census, const std::string& name) {
+  for (const ChannelReport& channel : census.report(kBegin_us + 2 * kSecond_us).channels) {
+    if (channel.channel == name) return channel;
+  }
+  return {};
+}
+
+TEST(Census, TellsRateAndBytesOfAChannel) {
+  Census census(kBegin_us);
+  hear_stream(census, "POSE", 16, 5);
+  const ChannelReport pose = channel_of(census, "POSE");
+  EXPECT_NEAR(pose.hz, 10.0, 1e-9);
+  EXPECT_NEAR(pose.bytes_per_s, 1000.0, 1e-6);
+  EXPECT_EQ(pose.events, 16);
+  EXPECT_EQ(pose.type, "Kind");
+}
+
+TEST(Census, TakesTheWholeSpanForTheRateOfAFewMessages) {
+  Census census(kBegin_us);
+  hear_stream(census, "POSE", 2, 5);
+  EXPECT_NEAR(channel_of(census, "POSE").hz, 1.0, 1e-9);
+}
+
+TEST(Census, CountsGapsInTheNumbersAsLost) {
+  Census census(kBegin_us);
+  census.hear(message("POSE", 0, 5, 1));
+  census.hear(message("POSE", 1, 5, 4));
+  EXPECT_EQ(channel_of(census, "POSE").lost, 2);
+}
+
+TEST(Census, KnowsARestartedWriterFromASecondOne) {
+  Census census(kBegin_us);
+  census.hear(message("POSE", 0, 5, 1));
+  census.hear(message("POSE", 1, 6, 1));
+  EXPECT_FALSE(channel_of(census, "POSE").two_writers);
+  census.hear(message("POSE", 2, 5, 2));
+  EXPECT_TRUE(channel_of(census, "POSE").two_writers);
+  EXPECT_EQ(channel_of(census, "POSE").writers.size(), 2U);
+}
+
+TEST(Census, AllowsManyWritersWhereManyMayWrite) {
+  for (const char* channel : {"STOP", "r1/STOP_STATE", "SERVICE_STATUS"}) {
+    Census census(kBegin_us);
+    for (const int64_t session : {5, 6, 5}) census.hear(message(channel, 0, session, 1));
+    EXPECT_FALSE(channel_of(census, channel).two_writers) << channel;
+  }
+}
+
+TEST(Census, NoticesAChannelThatChangesItsType) {
+  Census census(kBegin_us);
+  hear_stream(census, "POSE", 3, 5);
+  EXPECT_FALSE(channel_of(census, "POSE").several_types);
+  Heard other = message("POSE", 9, 5, 4);
+  other.hash = 8;
+  census.hear(other);
+  EXPECT_TRUE(channel_of(census, "POSE").several_types);
+}
+
+TEST(Census, CountsWhatItCannotDecode) {
+  Census census(kBegin_us);
+  Heard unknown;
+  unknown.channel = "STRANGE";
+  unknown.utime = kBegin_us;
+  census.hear(unknown);
+  EXPECT_EQ(channel_of(census, "STRANGE").events, 1);
+  EXPECT_TRUE(channel_of(census, "STRANGE").writers.empty());
+}
+
+TEST(Census, NamesTheServiceThatWritesAChannel) {
+  Census census(kBegin_us);
+  hear_stream(census, "POSE", 3, 5);
+  hear_stream(census, "SERVICE_STATUS", 1, 5);
+  census.hear(word("locator", 10, 5, 0), kBegin_us + 100);
+  const Report report = census.report(kBegin_us + kSecond_us);
+  ASSERT_EQ(report.services.size(), 1U);
+  EXPECT_EQ(report.services[0].writes, std::vector<std::string>{"POSE"});
+  EXPECT_EQ(report.channels[0].writers[0].service, "locator");
+}
+
+TEST(Census, NamesTwoProcessesThatSpeakInTurn) {
+  Census census(kBegin_us);
+  for (const int64_t at : {0, 1}) {
+    census.hear(word("locator", 10, 5, at), kBegin_us + at);
+    census.hear(word("locator", 11, 6, at), kBegin_us + at);
+  }
+  const Report report = census.report(kBegin_us + kSecond_us);
+  ASSERT_EQ(report.services.size(), 2U);
+  EXPECT_TRUE(report.services[0].duplicate);
+  EXPECT_TRUE(report.services[1].duplicate);
+}
+
+TEST(Census, AllowsARestartAndTheSameNameOfAnotherRobot) {
+  Census census(kBegin_us);
+  census.hear(word("locator", 10, 5, 0), kBegin_us);
+  census.hear(word("locator", 11, 6, 1), kBegin_us + 1);
+  ServiceWord other = word("locator", 12, 7, 2);
+  other.robot = "r2";
+  census.hear(other, kBegin_us + 2);
+  census.hear(word("locator", 11, 6, 3), kBegin_us + 3);
+  for (const ServiceReport& service : census.report(kBegin_us + kSecond_us).services) EXPECT_FALSE(service.duplicate);
+}
+
+TEST(Census, TellsHowFarAnotherClockIsOffByTheQuickestMessage) {
+  Census census(kBegin_us);
+  census.hear(word("locator", 10, 5, 1'000'000), kBegin_us + 400'000);  // sent 0.6 s ahead of our clock
+  census.hear(word("locator", 10, 5, 2'000'000), kBegin_us + 1'500'000);
+  const Report report = census.report(kBegin_us + 2 * kSecond_us);
+  EXPECT_NEAR(report.services[0].clock_behind_s, -0.6, 1e-9);
+  EXPECT_NEAR(report.services[0].silent_s, 0.5, 1e-9);
+  EXPECT_EQ(report.services[0].heard, 2);
+}
+
+TEST(Census, IsReadyOnlyWhenItWaitsForNothing) {
+  for (const char* state : {"starting", "waiting", "stale"}) EXPECT_FALSE(is_ready(state)) << state;
+  for (const char* state : {"ready", "stopped", "idle", "real time"}) EXPECT_TRUE(is_ready(state)) << state;
+}
+
+TEST(CensusText, KeepsControlCharactersOffTheTerminal) {
+  Census census(kBegin_us);
+  ServiceWord hostile = word("evil\x1b[2J", 1, 2, 0);
+  hostile.reason = "a\nb";
+  census.hear(hostile, kBegin_us);
+  const std::string table = table_of(census.report(kBegin_us + kSecond_us));
+  EXPECT_EQ(table.find('\x1b'), std::string::npos);
+  EXPECT_NE(table.find("a?b"), std::string::npos);
+}
+
+TEST(CensusText, GivesSessionsWithAllTheirBits) {
+  Census census(kBegin_us);
+  census.hear(word("locator", 10, 0x7fffffffffffffff, 0), kBegin_us);
+  EXPECT_EQ(json_of(census.report(kBegin_us + kSecond_us))["services"][0]["session"], "0x7fffffffffffffff");
+}
+
+TEST(CensusText, SaysThatNobodyIsThere) {
+  EXPECT_NE(table_of(Census(kBegin_us).report(kBegin_us + kSecond_us)).find("nobody"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace markservo::census

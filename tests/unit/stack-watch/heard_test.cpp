@@ -1,0 +1,68 @@
+#include "services/stack-watch/heard.hpp"
+
+#include <gtest/gtest.h>
+
+namespace markservo::stack_watch {
+namespace {
+
+constexpr int64_t kSecond_us = 1'000'000;
+
+Instant at(int64_t seconds) {
+  return {1'700'000'000 * kSecond_us + seconds * kSecond_us, 50 * kSecond_us + seconds * kSecond_us};
+}
+
+census::ServiceWord word(const std::string& state, Instant now, int pid = 7) {
+  census::ServiceWord word;
+  word.name = "visual-servo";
+  word.host = "here";
+  word.pid = pid;
+  word.session = 100 + pid;
+  word.state = state;
+  word.utime = now.wall_us;
+  return word;
+}
+
+TEST(RecentCensus, TellsRatesOverFiveToTenSeconds) {
+  RecentCensus recent(at(0));
+  for (int second = 0; second < 100; ++second) {
+    for (int i = 0; i < (second < 50 ? 2 : 30); ++i) {
+      census::Heard message;
+      message.channel = "POSE";
+      message.utime = at(second).wall_us + i * kSecond_us / (second < 50 ? 2 : 30);
+      recent.hear(message);
+    }
+    recent.tick(at(second + 1));
+  }
+  const census::Report report = recent.report(at(100));
+  EXPECT_GE(report.listened_s, 5.0);
+  EXPECT_LE(report.listened_s, 10.0);
+  EXPECT_NEAR(report.channels.at(0).hz, 30.0, 0.1) << "what was half a minute ago does not count";
+}
+
+TEST(RecentCensus, KnowsSinceWhenAServiceIsAsItIs) {
+  RecentCensus recent(at(0));
+  for (int second = 0; second < 60; ++second) {
+    recent.hear(word(second < 40 ? "ready" : "stale", at(second)), at(second));
+    recent.tick(at(second));
+  }
+  EXPECT_EQ(recent.state_since_us(word("stale", at(60))), at(40).wall_us);
+  EXPECT_EQ(recent.state_since_us(word("ready", at(60), 8)), std::nullopt);
+}
+
+TEST(RecentCensus, ForgetsWhoIsGone) {
+  RecentCensus recent(at(0));
+  recent.hear(word("ready", at(0)), at(0));
+  for (int second = 1; second < 11; ++second) recent.tick(at(second));
+  EXPECT_TRUE(recent.report(at(11)).services.empty());
+  for (int second = 11; second < 80; ++second) recent.tick(at(second));
+  EXPECT_EQ(recent.state_since_us(word("ready", at(0))), std::nullopt);
+}
+
+TEST(RecentCensus, TakesNoMoreThanSoMuchOfAHostileWriter) {
+  RecentCensus recent(at(0));
+  for (int pid = 0; pid < 20'000; ++pid) recent.hear(word("ready", at(0), pid), at(0));
+  EXPECT_LE(recent.report(at(1)).services.size(), 2048U);
+}
+
+}  // namespace
+}  // namespace markservo::stack_watch

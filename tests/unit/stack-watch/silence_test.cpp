@@ -1,0 +1,145 @@
+#include "services/stack-watch/silence.hpp"
+
+#include <gtest/gtest.h>
+
+namespace markservo::stack_watch {
+namespace {
+
+constexpr int64_t kSecond_us = 1'000'000;
+constexpr int64_t kTick_us = 250'000;
+constexpr int64_t kSession = 11;
+constexpr int64_t kBegin_us = 100 * kSecond_us;
+
+// A stack of two services on a bus, by the quarter of a second.
+class Stack {
+ public:
+  // What speaks, and whether own words come back, in the next `seconds`.
+  struct Phase {
+    double seconds = 0.0;
+    bool servo = true;
+    bool locator = true;
+    bool bus = true;
+  };
+
+  void run(const Phase& phase) {
+    const auto ticks = static_cast<int>(phase.seconds * kSecond_us / kTick_us);
+    for (int i = 0; i < ticks; ++i, now_us += kTick_us, ++count) {
+      if (count % 4 == 0) {
+        watch.send_beacon();
+        if (phase.bus && phase.servo) watch.hear_word("visual-servo", 7, kSession, now_us);
+        if (phase.bus && phase.locator) watch.hear_word("target-locator", 8, kSession + 1, now_us);
+        if (phase.bus) watch.hear_beacon(now_us);
+      }
+      for (const SilentService& silent : watch.tick(processes, now_us)) told.push_back(silent);
+    }
+  }
+
+  SilenceWatch watch;
+  std::vector<RunningProcess> processes{{"visual-servo", 7}, {"target-locator", 8}};
+  std::vector<SilentService> told;
+  int64_t now_us = kBegin_us;
+  int count = 0;
+};
+
+TEST(SilenceWatch, TellsOfOneThatSpokeAndThenIsSilentForFiveSeconds) {
+  Stack stack;
+  stack.run({30});
+  EXPECT_TRUE(stack.told.empty());
+  stack.run({5.75, false});
+  ASSERT_EQ(stack.told.size(), 1U);
+  EXPECT_EQ(stack.told[0].name, "visual-servo");
+  EXPECT_EQ(stack.told[0].pid, 7);
+  EXPECT_NEAR(1e-6 * static_cast<double>(stack.told[0].silent_us), 5.0, 0.5);
+}
+
+TEST(SilenceWatch, SaysNothingBeforeFiveSeconds) {
+  Stack stack;
+  stack.run({30});
+  stack.run({3.75, false});  // the last word was up to 1 s earlier
+  stack.run({30});
+  EXPECT_TRUE(stack.told.empty());
+}
+
+TEST(SilenceWatch, WaitsForOneThatHasNeverSpoken) {
+  Stack stack;
+  stack.run({60, false});
+  EXPECT_TRUE(stack.told.empty());
+}
+
+TEST(SilenceWatch, LeavesOneAloneThatTheSupervisorDoesNotRun) {
+  Stack stack;
+  stack.run({30});
+  stack.processes = {{"target-locator", 8}};
+  stack.run({30, false});
+  EXPECT_TRUE(stack.told.empty());
+}
+
+TEST(SilenceWatch, LeavesTheNextProcessOfThatNameAloneUntilItHasSpoken) {
+  Stack stack;
+  stack.run({30});
+  stack.processes = {{"visual-servo", 9}, {"target-locator", 8}};
+  stack.run({30, false});
+  EXPECT_TRUE(stack.told.empty());
+}
+
+TEST(SilenceWatch, TakesAnyMessageOfItsSessionForASignOfLife) {
+  Stack stack;
+  stack.run({30});
+  for (int i = 0; i < 20; ++i) {
+    stack.run({1, false});
+    stack.watch.hear_session(kSession, stack.now_us);
+  }
+  EXPECT_TRUE(stack.told.empty());
+}
+
+TEST(SilenceWatch, TellsOfNobodyWhileTheBusIsGoneAndCountsAnewWhenItIsBack) {
+  Stack stack;
+  stack.run({30});
+  stack.run({60, true, true, false});
+  EXPECT_TRUE(stack.watch.bus_is_gone());
+  stack.run({9, false, true});  // 5 s to come back, and then 5 s
+  EXPECT_TRUE(stack.told.empty());
+  EXPECT_FALSE(stack.watch.bus_is_gone());
+  stack.run({5, false, true});
+  ASSERT_EQ(stack.told.size(), 1U);
+  EXPECT_EQ(stack.told[0].name, "visual-servo");
+}
+
+TEST(SilenceWatch, CountsAnewAfterItWasHeldUpItself) {
+  Stack stack;
+  stack.run({30});
+  stack.run({3, false});
+  stack.now_us += 60 * kSecond_us;
+  stack.run({4, false});
+  EXPECT_TRUE(stack.told.empty());
+}
+
+TEST(SilenceWatch, TellsAgainWhenWhatWasDoneDidNotHelp) {
+  Stack stack;
+  stack.run({30});
+  stack.run({11, false});
+  EXPECT_EQ(stack.told.size(), 2U);
+}
+
+TEST(SilenceWatch, WaitsLongerWhereHalfOfAllMessagesAreLost) {
+  Stack stack;
+  for (int i = 0; i < 20; ++i) {
+    stack.run({1});
+    stack.run({1, true, true, false});
+  }
+  EXPECT_TRUE(stack.told.empty());
+  EXPECT_NEAR(1e-6 * static_cast<double>(stack.watch.limit_us()), 20.0, 3.0);
+  stack.run({30});
+  EXPECT_EQ(stack.watch.limit_us(), 5 * kSecond_us);
+}
+
+TEST(SilenceWatch, KeepsNoMoreThanTheProcessesThatRun) {
+  Stack stack;
+  for (int i = 0; i < 100'000; ++i) stack.watch.hear_word("x" + std::to_string(i), i, i + 1, stack.now_us);
+  stack.run({30});
+  EXPECT_EQ(stack.watch.silent_for_us("x5", 5, stack.now_us), -1);
+  EXPECT_LE(stack.watch.silent_for_us("visual-servo", 7, stack.now_us), kSecond_us);
+}
+
+}  // namespace
+}  // namespace markservo::stack_watch
