@@ -58,7 +58,8 @@ bool BaseNode::publish_due() {
     scans_.publish(*scan_);
   }
   if (!due.odometry) return false;
-  odometry_ = odometry_message(*due.odometry);
+  odometry_ =
+      odometry_message(lying_.tell(simulation_->settings(), simulation_->robot().base->counter_bits, *due.odometry));
   publish_odometry();
   barrier_.expect(odometries_.session(), odometry_seq_);
   return true;

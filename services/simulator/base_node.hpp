@@ -15,6 +15,7 @@
 
 #include "common/bus/bus.hpp"
 #include "services/simulator/lockstep_barrier.hpp"
+#include "services/simulator/lying_sensors.hpp"
 #include "services/simulator/simulation.hpp"
 
 namespace markservo::simulator {
@@ -48,6 +49,7 @@ class BaseNode {
   bus::Publisher<SonarScan> scans_;
   bus::Publisher<SimBaseTruth> truths_;
   bus::Publisher<WheelOdometry> odometries_;
+  LyingSensors lying_;
   std::optional<SonarScan> scan_;          // the newest
   std::optional<WheelOdometry> odometry_;  // the newest
   std::int64_t odometry_seq_ = 0;

@@ -108,6 +108,14 @@ const std::vector<SettingDescription>& setting_descriptions() {
       {"obstacle.size", &S::obstacle_size, 0.01, 3.0, false, kNow, "m, edge of the square it stands on"},
       {"frames.rate_hz", &S::frames_rate_hz, 4.0, 100.0, false, kNow, "Hz"},
       {"frames.drop_rate", &S::frames_drop_rate, 0.0, 0.95, false, kNow, "share of frames that are lost"},
+      {"faults.frozen_joint", &S::faults_frozen_joint, 0.0, 3.0, true, kNow,
+       "JOINT_STATE tells of this joint (1 to 3) where it stood when this was set; 0: none"},
+      {"faults.frozen_camera", &S::faults_frozen_camera, 0.0, 1.0, true, kNow,
+       "1: the cameras show what they saw when this was set"},
+      {"faults.stuck_encoder", &S::faults_stuck_encoder, 0.0, 2.0, true, kNow,
+       "the encoder of this wheel (1 left, 2 right) does not count; 0: none"},
+      {"faults.reversed_encoder", &S::faults_reversed_encoder, 0.0, 2.0, true, kNow,
+       "the encoder of this wheel (1 left, 2 right) counts backwards; 0: none"},
   };
   return descriptions;
 }

@@ -78,6 +78,11 @@ struct Settings {
 
   double frames_rate_hz = 15.0;
   double frames_drop_rate = 0.0;
+
+  double faults_frozen_joint = 0.0;
+  double faults_frozen_camera = 0.0;
+  double faults_stuck_encoder = 0.0;
+  double faults_reversed_encoder = 0.0;
 };
 
 // When a changed setting shows.

@@ -351,7 +351,7 @@ ImagePair SimulatorNode::draw() {
   ImagePair images = renderer_->render(world);
   apply_effects(simulation_->effects(), simulation_->noise_seed_of(0), images.left);
   apply_effects(simulation_->effects(), simulation_->noise_seed_of(1), images.right);
-  return images;
+  return lying_.show(simulation_->settings(), std::move(images));
 }
 
 void SimulatorNode::publish_truth() {
@@ -363,7 +363,7 @@ void SimulatorNode::publish_truth() {
 }
 
 void SimulatorNode::publish_joint_state() {
-  JointState message = joint_state_message(simulation_->world().arm());
+  JointState message = joint_state_message(lying_.tell(simulation_->settings(), simulation_->world().arm()));
   message.utime = simulation_->utime();
   joint_states_->publish(message);
 }

@@ -20,6 +20,7 @@
 #include "services/simulator/base_node.hpp"
 #include "services/simulator/lockstep_barrier.hpp"
 #include "services/simulator/lockstep_node.hpp"
+#include "services/simulator/lying_sensors.hpp"
 #include "services/simulator/simulation.hpp"
 #include "services/simulator/stereo_renderer.hpp"
 
@@ -78,6 +79,7 @@ class SimulatorNode : public bus::Service {
   Scene scene_;
   Settings settings_;
   std::unique_ptr<Simulation> simulation_;
+  LyingSensors lying_;
   std::unique_ptr<StereoRenderer> renderer_;
 
   std::optional<bus::Publisher<StereoFrame>> frames_;

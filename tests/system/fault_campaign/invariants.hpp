@@ -1,0 +1,98 @@
+#pragma once
+
+// What must hold in every trial, whatever struck. Pure functions of the history.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/system/fault_campaign/timeline.hpp"
+
+namespace markservo::campaign {
+
+// Bars and allowances. What is allowed beyond a bar has its reason beside it.
+struct Bars {
+  // Motion.
+  double arm_still_rad = 0.004;    // I1, I3: the way of the farthest joint that still counts as rest
+  double base_still_m = 0.002;     // I1
+  double base_silent_m = 0.005;    // I3: the base's way is measured through braking, whose end is an estimate
+  double arm_moves_rad_s = 0.02;   // I2
+  double base_moves_m_s = 0.005;   // I2
+  double latch_time = 0.3;         // s, I1: from a latch until braking begins
+  double command_age = 0.3;        // s, I3: movers obey no older command, and go on with the last one as long
+  double goal_age = 0.6;           // s, I2
+  double hearing = 0.15;           // s: the trial hears a message later than its reader, by a frame at most
+  double arm_braking = 0.2;        // s: from 5 rad/s at 100 rad/s^2, and the frames between which truth is told
+  double base_deceleration = 0.4;  // m/s^2: base-navigator brakes gently when a pose or goal is old
+  double base_cruise = 0.5;        // m/s: as fast as base-navigator drives
+  double turn_deceleration = 2.0;  // rad/s^2, likewise
+  double base_settles = 0.3;       // s, after braking: the wheels' own lag
+  // Grip.
+  double held_height_m = 0.008;  // I4: higher hangs in the hand
+  double opens_m = 0.0015;       // I4: more is no slip of the fingers
+  double release_seen = 0.5;     // s, I4: a release is told that much after it began, at most
+  // Commands.
+  std::vector<double> joint_min;    // rad, I5
+  std::vector<double> joint_max;    // rad
+  std::vector<double> joint_speed;  // rad/s
+  double base_speed = 0.0;          // m/s
+  double base_turn_rate = 0.0;      // rad/s
+  double lead_time = 0.3;           // s, I5: a command leads the shafts by no more than this at its own speed
+  double lead_rad = 0.1;            // rad, and this
+  double rounding = 1e-6;           // rad, rad/s, m/s: limits are reached, not passed
+  double reset_age = 2.0;           // s, I6
+  double reset_slack = 0.3;         // s: from the request to the STOP_STATE that tells of it
+  // Health.
+  double silence = 5.0;          // s, I7
+  double status_slack = 2.5;     // s: SERVICE_STATUS comes once a second, a busy machine is late
+  double recovery = 15.0;        // s, I8
+  double ready_age = 4.0;        // s, I8: ready within so long before the end of that
+  double memory_mb = 10.0;       // I8
+  double bytes_share = 0.10;     // I8, of a message's mean size, by channel
+  double bytes_floor = 260.0;    // bytes a message: a reason of up to 200 and a name may stand where there were none
+  double rate_factor = 1.6;      // I8: messages a second by the world's clock; the machine's own scatter
+  double rate_floor = 3.0;       // messages a second
+  double calm = 1.0;             // s after the faults until bytes count
+  double task_patience = 40.0;   // s, I9: a task has ended by then, or goes on by itself
+  double recording_gap = 5.0;    // s, I10: the next part has begun by then
+  double recording_up_to = 1.5;  // s, I10: before the fault
+};
+
+struct Breach {
+  std::int64_t t = 0;  // us, when
+  std::string evidence;
+};
+
+struct Verdict {
+  std::int64_t judged = 0;  // how often the invariant was put to the test
+  std::vector<Breach> breaches;
+
+  bool broken() const { return !breaches.empty(); }
+};
+
+inline constexpr std::size_t kMostBreaches = 5;  // of one invariant: the first ones tell
+void note(Verdict& verdict, std::int64_t t, const std::string& evidence);
+
+Verdict latched_is_still(const Timeline& timeline, const Bars& bars);             // I1
+Verdict motion_has_a_goal(const Timeline& timeline, const Bars& bars);            // I2
+Verdict silence_is_rest(const Timeline& timeline, const Bars& bars);              // I3
+Verdict hand_keeps_what_it_lifted(const Timeline& timeline, const Bars& bars);    // I4
+Verdict commands_are_within_limits(const Timeline& timeline, const Bars& bars);   // I5
+Verdict release_needs_a_fresh_reset(const Timeline& timeline, const Bars& bars);  // I6
+Verdict deaf_or_mute_is_not_ready(const Timeline& timeline, const Bars& bars);    // I7
+Verdict recovers_unaided(const Timeline& timeline, const Bars& bars);             // I8
+Verdict tasks_end_with_the_reason(const Timeline& timeline, const Bars& bars);    // I9
+Verdict recording_goes_on(const Timeline& timeline, const Bars& bars);            // I10
+Verdict words_are_clean(const Timeline& timeline, const Bars& bars);              // I11
+Verdict touches_only_the_target(const Timeline& timeline, const Bars& bars);      // I12
+
+// All of them, "I1" to "I12". An invariant that a fault excuses is not judged.
+std::map<std::string, Verdict> judge(const Timeline& timeline, const Bars& bars);
+inline constexpr std::array<const char*, 12> kInvariants = {"I1", "I2", "I3", "I4",  "I5",  "I6",
+                                                            "I7", "I8", "I9", "I10", "I11", "I12"};
+// What it demands, in a line.
+const char* words_of(const std::string& invariant);
+
+}  // namespace markservo::campaign

@@ -1,0 +1,290 @@
+// I1 to I3: what may move, and when.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <initializer_list>
+#include <optional>
+#include <utility>
+
+#include "common/time/seconds_between.hpp"
+#include "tests/system/fault_campaign/floor.hpp"
+#include "tests/system/fault_campaign/invariants.hpp"
+#include "tests/system/fault_campaign/motion.hpp"
+#include "tests/system/fault_campaign/words.hpp"
+
+namespace markservo::campaign {
+namespace {
+
+// s, until a base that moves so stands.
+double base_braking(const SimBaseTruth& truth, const Bars& bars) {
+  return std::max(std::abs(truth.speed) / bars.base_deceleration, std::abs(truth.turn_rate) / bars.turn_deceleration) +
+         bars.base_settles;
+}
+
+// While a device of one simulator is latched, by its own word.
+struct Latch {
+  std::int64_t session = 0;
+  std::int64_t t = 0;
+  double from = 0.0;  // s, world
+  double to = 0.0;
+};
+
+std::vector<Latch> latches(const Timeline& timeline, const std::string& device) {
+  std::vector<Latch> found;
+  std::optional<Latch> open;
+  const auto close = [&](double world) {
+    if (!open) return;
+    open->to = world;
+    found.push_back(*open);
+    open.reset();
+  };
+  double last = 0.0;
+  for (const auto& heard : timeline.stop_states) {
+    const StopState& state = heard.message;
+    if (heard.foreign || state.device != device || !timeline.is("simulator", state.session)) continue;
+    if (open && open->session != state.session) close(last);
+    if (state.latched && !open) open = Latch{state.session, heard.t, heard.world, 0.0};
+    // It may have been released any time since it last said that it was not.
+    if (!state.latched) close(last);
+    last = heard.world;
+  }
+  close(timeline.clock.at(timeline.ended_at));
+  return found;
+}
+
+void judge_arm_latches(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
+  for (const Latch& latch : latches(timeline, "arm")) {
+    const double from = latch.from + bars.latch_time + bars.arm_braking;
+    const Heard<SimTruth>* rest = nullptr;
+    const Heard<SimTruth>* last = nullptr;
+    for (const auto& truth : timeline.truth) {
+      if (truth.message.session != latch.session || truth.world < from || truth.world > latch.to) continue;
+      if (last == nullptr || !same_world(last->message, truth.message)) {
+        rest = &truth;
+        ++verdict.judged;
+      }
+      last = &truth;
+      const double way = farthest_joint(rest->message.shaft, truth.message.shaft);
+      if (way > bars.arm_still_rad) {
+        note(verdict, truth.t,
+             text("latched since %.2f s (world), and the arm moved %.4f rad by %.2f s", latch.from, way, truth.world));
+        break;
+      }
+    }
+  }
+}
+
+void judge_base_latches(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
+  for (const Latch& latch : latches(timeline, "base")) {
+    const Heard<SimBaseTruth>* rest = nullptr;
+    double from = latch.from + bars.latch_time;
+    bool braking_known = false;
+    for (const auto& truth : timeline.base_truth) {
+      if (truth.message.session != latch.session || truth.world < latch.from || truth.world > latch.to) continue;
+      if (!braking_known) from += base_braking(truth.message, bars);
+      braking_known = true;
+      if (truth.world < from) continue;
+      if (rest == nullptr) {
+        rest = &truth;
+        ++verdict.judged;
+      }
+      const double way = way_between(rest->message, truth.message);
+      if (way > bars.base_still_m) {
+        note(verdict, truth.t,
+             text("latched since %.2f s (world), and the base moved %.4f m by %.2f s", latch.from, way, truth.world));
+        break;
+      }
+    }
+  }
+}
+
+// The newest legal goal to move that was heard before the world's `end`; s, world; -1 when there was none.
+template <class M>
+double newest_goal(const std::vector<const Heard<M>*>& goals, double end) {
+  double newest = -1.0;
+  for (const Heard<M>* goal : goals) {
+    if (goal->world > end) break;
+    newest = goal->world;
+  }
+  return newest;
+}
+
+// When each message was heard that a mover may obey, s of the world.
+template <class M, class Stamp>
+std::vector<double> fresh_commands(const Timeline& timeline, const Stream<M>& stream, Stamp stamp) {
+  constexpr double kFresh_s = 1.0;  // what is older answers another time
+  std::vector<double> times;
+  std::int64_t newest = 0;
+  auto truth = timeline.base_truth.begin();
+  for (const auto& heard : stream) {
+    for (; truth != timeline.base_truth.end() && truth->t <= heard.t; ++truth) newest = truth->message.utime;
+    const bool known = newest == 0 || std::abs(seconds_between(stamp(heard.message), newest)) <= kFresh_s;
+    if (known) times.push_back(heard.world);
+  }
+  return times;
+}
+
+// The last of `times` (growing) that is not after `world`; nothing when there is none.
+std::optional<double> last_before(const std::vector<double>& times, double world) {
+  const auto after = std::upper_bound(times.begin(), times.end(), world);
+  if (after == times.begin()) return std::nullopt;
+  return *std::prev(after);
+}
+
+int count_silences(const std::vector<double>& times, double longest) {
+  int silences = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) silences += times[i] - times[i - 1] > longest ? 1 : 0;
+  return silences;
+}
+
+void judge_arm_silence(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
+  const auto times = fresh_commands(timeline, timeline.joint_commands,
+                                    [](const JointCommand& command) { return command.frame_utime; });
+  verdict.judged += count_silences(times, bars.command_age);
+  double moved = 0.0;  // rad, in the present silence
+  double silent_since = -1.0;
+  for (const ArmStep& step : arm_steps(timeline)) {
+    const auto last = last_before(times, step.to->world);
+    if (!last) continue;
+    if (silent_since != *last) moved = 0.0;
+    silent_since = *last;
+    if (step.from->world - *last <= bars.command_age + bars.hearing + bars.arm_braking) continue;
+    ++verdict.judged;
+    moved += step.way;
+    if (moved <= bars.arm_still_rad) continue;
+    note(verdict, step.to->t,
+         text("no fresh JOINT_COMMAND since %.2f s (world), and the arm moved %.4f rad until %.2f s", *last, moved,
+              step.to->world));
+    moved = 0.0;
+  }
+}
+
+void judge_base_silence(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
+  constexpr double kBraking = -1.0;  // it is not yet known when that will be over
+  const auto times =
+      fresh_commands(timeline, timeline.base_commands, [](const BaseCommand& command) { return command.utime; });
+  verdict.judged += count_silences(times, bars.command_age);
+  const Heard<SimBaseTruth>* rest = nullptr;
+  const Heard<SimBaseTruth>* before = nullptr;
+  double rest_from = kBraking;  // s, world
+  double silent_since = -1.0;
+  for (const auto& truth : timeline.base_truth) {
+    const auto last = last_before(times, truth.world);
+    if (!last) continue;
+    const bool goes_on = before != nullptr && before->message.session == truth.message.session && silent_since == *last;
+    before = &truth;
+    silent_since = *last;
+    if (!goes_on) {
+      rest = nullptr;
+      rest_from = kBraking;
+    }
+    if (truth.world - *last <= bars.command_age + bars.hearing) continue;
+    if (rest_from < 0.0) rest_from = truth.world + base_braking(truth.message, bars);
+    if (truth.world < rest_from) continue;
+    if (rest == nullptr) rest = &truth;
+    ++verdict.judged;
+    const double way = way_between(rest->message, truth.message);
+    if (way <= bars.base_silent_m) continue;
+    note(verdict, truth.t,
+         text("no fresh BASE_COMMAND since %.2f s (world), and the base moved %.4f m until %.2f s", *last, way,
+              truth.world));
+    rest = &truth;
+  }
+}
+
+// What a mover says that it follows: the one who has the floor, or had it a moment ago.
+template <class Status, class Goal>
+void judge_followed(const Timeline& timeline, const Stream<Status>& statuses, const Stream<Goal>& goals,
+                    const char* service, std::initializer_list<int> moving, const Bars& bars, Verdict& verdict) {
+  const auto holders = floor_holders(goals, bars.goal_age);
+  const double moment = 2.0 * bars.goal_age + bars.command_age;
+  for (const auto& heard : statuses) {
+    const Status& status = heard.message;
+    if (heard.foreign || !timeline.is(service, status.session) || status.goal_session == 0) continue;
+    if (std::find(moving.begin(), moving.end(), status.state) == moving.end()) continue;
+    ++verdict.judged;
+    if (had_the_floor(holders, status.goal_session, heard.world - moment, heard.world + bars.hearing)) continue;
+    note(verdict, heard.t,
+         text("%s follows a goal of session %ld at %.2f s (world), which does not have the floor", service,
+              static_cast<long>(status.goal_session), heard.world));
+  }
+}
+
+// A goal is legal only where the task behind it is: the stack obeys no START or HOME of another time.
+void judge_tasks(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
+  std::pair<std::int64_t, std::int64_t> obeyed{0, 0};
+  for (const auto& heard : timeline.task_states) {
+    const TaskState& task = heard.message;
+    if (heard.foreign || !timeline.is("task-manager", task.session)) continue;
+    const std::pair<std::int64_t, std::int64_t> told{task.command_session, task.command_id};
+    // What is refused is told too.
+    if (told == obeyed || task.state == TaskState::REFUSED || task.state == TaskState::IDLE) continue;
+    obeyed = told;
+    double age = -1.0;  // s, the least; below 0: not heard
+    for (const auto& command : timeline.task_commands) {
+      const TaskCommand& asked = command.message;
+      const bool same = asked.session == told.first && asked.command_id == told.second;
+      if (!same || asked.kind == TaskCommand::ABORT || command.t > heard.t) continue;
+      const double apart = std::abs(seconds_between(asked.utime, task.utime));
+      age = age < 0.0 ? apart : std::min(age, apart);
+    }
+    if (age < 0.0) continue;
+    ++verdict.judged;
+    if (age <= bars.reset_age + bars.reset_slack) continue;
+    note(verdict, heard.t,
+         text("a task was begun at %.2f s (world) by a TASK_COMMAND %.1f s from then", heard.world, age));
+  }
+}
+
+}  // namespace
+
+Verdict latched_is_still(const Timeline& timeline, const Bars& bars) {
+  Verdict verdict;
+  judge_arm_latches(timeline, bars, verdict);
+  judge_base_latches(timeline, bars, verdict);
+  return verdict;
+}
+
+Verdict motion_has_a_goal(const Timeline& timeline, const Bars& bars) {
+  Verdict verdict;
+  // The goal is obeyed while it is young enough, its last command a little longer, and then there is the braking.
+  judge_tasks(timeline, bars, verdict);
+  judge_followed(timeline, timeline.servo_statuses, timeline.servo_goals, "visual-servo",
+                 {ServoStatus::POSTURE, ServoStatus::SERVO}, bars, verdict);
+  judge_followed(timeline, timeline.base_statuses, timeline.base_goals, "base-navigator", {BaseStatus::DRIVING}, bars,
+                 verdict);
+  const double arm_allowed = bars.goal_age + bars.command_age + bars.arm_braking + bars.hearing;
+  const auto arm_goals = legal_goals(timeline, timeline.servo_goals, ServoGoal::HOLD, bars.goal_age);
+  for (const ArmStep& step : arm_steps(timeline)) {
+    if (step.speed <= bars.arm_moves_rad_s) continue;
+    ++verdict.judged;
+    const double goal = newest_goal(arm_goals, step.to->world);
+    if (goal >= 0.0 && step.from->world - goal <= arm_allowed) continue;
+    note(verdict, step.to->t,
+         text("the arm moves at %.3f rad/s at %.2f s (world); the newest legal SERVO_GOAL to move: %s", step.speed,
+              step.to->world, goal < 0.0 ? "none" : text("%.2f s", goal).c_str()));
+  }
+  const double base_allowed =
+      bars.goal_age + bars.command_age + bars.hearing + bars.base_settles + bars.base_cruise / bars.base_deceleration;
+  const auto base_goals = legal_goals(timeline, timeline.base_goals, BaseGoal::HOLD, bars.goal_age);
+  for (const BaseStep& step : base_steps(timeline)) {
+    if (step.speed <= bars.base_moves_m_s) continue;
+    ++verdict.judged;
+    const double goal = newest_goal(base_goals, step.to->world);
+    if (goal >= 0.0 && step.from->world - goal <= base_allowed) continue;
+    note(verdict, step.to->t,
+         text("the base moves at %.3f m/s at %.2f s (world); the newest legal BASE_GOAL to move: %s", step.speed,
+              step.to->world, goal < 0.0 ? "none" : text("%.2f s", goal).c_str()));
+  }
+  return verdict;
+}
+
+Verdict silence_is_rest(const Timeline& timeline, const Bars& bars) {
+  Verdict verdict;
+  judge_arm_silence(timeline, bars, verdict);
+  judge_base_silence(timeline, bars, verdict);
+  return verdict;
+}
+
+}  // namespace markservo::campaign

@@ -1,0 +1,193 @@
+#include "tests/system/fault_campaign/timeline.hpp"
+
+#include <algorithm>
+
+#include "common/bus/safe_decode.hpp"
+#include "common/time/seconds_between.hpp"
+
+namespace markservo::campaign {
+namespace {
+
+constexpr double kLongestTick_s = 1.0;  // longer between two stamps: a clock was set, or the simulator was away
+
+template <class M>
+void decode(const Event& event, Stream<M>& stream) {
+  if (!event.whole()) return;
+  auto decoded = bus::safe_decode<M>(event.data.data(), event.data.size());
+  if (!decoded.ok) return;
+  stream.push_back({event.t, 0.0, event.foreign, std::move(decoded.message)});
+}
+
+void decode_events(const History& history, Timeline& timeline) {
+  for (const Event& event : history.events) {
+    timeline.traffic[event.channel].push_back({event.t, event.size, event.foreign});
+    const std::string& channel = event.channel;
+    if (channel == "SIM_TRUTH") decode(event, timeline.truth);
+    if (channel == "SIM_BASE_TRUTH") decode(event, timeline.base_truth);
+    if (channel == "JOINT_COMMAND") decode(event, timeline.joint_commands);
+    if (channel == "BASE_COMMAND") decode(event, timeline.base_commands);
+    if (channel == "SERVO_GOAL") decode(event, timeline.servo_goals);
+    if (channel == "BASE_GOAL") decode(event, timeline.base_goals);
+    if (channel == "STOP") decode(event, timeline.stops);
+    if (channel == "STOP_STATE") decode(event, timeline.stop_states);
+    if (channel == "TASK_COMMAND") decode(event, timeline.task_commands);
+    if (channel == "SERVO_STATUS") decode(event, timeline.servo_statuses);
+    if (channel == "BASE_STATUS") decode(event, timeline.base_statuses);
+    if (channel == "TASK_STATE") decode(event, timeline.task_states);
+    if (channel == "SERVICE_STATUS") decode(event, timeline.statuses);
+    timeline.ended_at = std::max(timeline.ended_at, event.t);
+  }
+}
+
+Fault& fault_number(Timeline& timeline, const nlohmann::json& fact) {
+  const auto index = fact.at("index").get<std::size_t>();
+  if (timeline.faults.size() <= index) timeline.faults.resize(index + 1);
+  return timeline.faults[index];
+}
+
+void take_fault(const nlohmann::json& fact, std::int64_t t, Timeline& timeline) {
+  Fault& fault = fault_number(timeline, fact);
+  const std::string what = fact.at("what");
+  if (what == "planned") {
+    fault.what = fact.at("describe");
+    for (const auto& word : fact.at("words")) fault.words.insert(word.get<std::string>());
+    for (const auto& name : fact.value("excuses", nlohmann::json::array()))
+      fault.excuses.insert(name.get<std::string>());
+  }
+  if (what == "strike") fault.struck_at = t;
+  if (what == "end") fault.ended_at = t;
+}
+
+void take_facts(const History& history, Timeline& timeline) {
+  for (const auto& fact : history.facts) {
+    const std::int64_t t = fact.at("t");
+    const std::string kind = fact.at("kind");
+    if (kind == "process") {
+      const std::string state = fact.at("state");
+      timeline.processes[fact.at("service")].push_back(
+          {t, fact.at("pid"), state.empty() ? '?' : state[0], fact.at("rss_mb")});
+    } else if (kind == "fault") {
+      take_fault(fact, t, timeline);
+    } else if (kind == "start") {
+      timeline.task_starts.push_back(t);
+      timeline.target = fact.at("target");
+    } else if (kind == "recording") {
+      timeline.recordings.push_back(fact);
+    }
+    timeline.ended_at = std::max(timeline.ended_at, t);
+  }
+}
+
+// A service's sessions are those under which its own processes, which the trial saw run, first spoke.
+void learn_sessions(Timeline& timeline) {
+  std::map<int, std::string> service_of;
+  for (const auto& [service, samples] : timeline.processes) {
+    for (const ProcessSample& sample : samples) service_of[sample.pid] = service;
+  }
+  std::set<int> known;
+  for (const auto& status : timeline.statuses) {
+    const auto found = service_of.find(status.message.pid);
+    if (status.foreign || found == service_of.end() || found->second != status.message.name) continue;
+    if (known.insert(status.message.pid).second) timeline.sessions[found->second].insert(status.message.session);
+  }
+}
+
+template <class M>
+void keep_own(const Timeline& timeline, Stream<M>& stream) {
+  stream.erase(std::remove_if(stream.begin(), stream.end(),
+                              [&](const Heard<M>& heard) {
+                                return heard.foreign || !timeline.is("simulator", heard.message.session);
+                              }),
+               stream.end());
+}
+
+void run_clock(Timeline& timeline) {
+  auto arm = timeline.truth.begin();
+  for (const auto& base : timeline.base_truth) {
+    for (; arm != timeline.truth.end() && arm->t < base.t; ++arm) timeline.clock.heard(arm->t, arm->message.utime);
+    timeline.clock.heard(base.t, base.message.utime);
+  }
+  for (; arm != timeline.truth.end(); ++arm) timeline.clock.heard(arm->t, arm->message.utime);
+}
+
+template <class M>
+void stamp(const WorldClock& clock, Stream<M>& stream) {
+  for (auto& heard : stream) heard.world = clock.at(heard.t);
+}
+
+}  // namespace
+
+void WorldClock::heard(std::int64_t t, std::int64_t utime) {
+  if (ticks_.empty()) {
+    ticks_.push_back({t, utime, 0.0});
+    return;
+  }
+  const Tick& last = ticks_.back();
+  double step = seconds_between(last.utime, utime);
+  if (step < 0.0 || step > kLongestTick_s) step = std::clamp(seconds_between(last.t, t), 0.0, kLongestTick_s);
+  ticks_.push_back({t, utime, last.seconds + step});
+}
+
+double WorldClock::at(std::int64_t t) const {
+  const auto after = std::upper_bound(ticks_.begin(), ticks_.end(), t,
+                                      [](std::int64_t time, const Tick& tick) { return time < tick.t; });
+  return after == ticks_.begin() ? 0.0 : std::prev(after)->seconds;
+}
+
+std::int64_t Timeline::first_strike() const {
+  std::int64_t first = ended_at;
+  for (const Fault& fault : faults) {
+    if (fault.struck_at > 0) first = std::min(first, fault.struck_at);
+  }
+  return first;
+}
+
+std::int64_t Timeline::faults_gone() const {
+  std::int64_t last = 0;
+  for (const Fault& fault : faults) {
+    if (fault.struck_at > 0) last = std::max(last, fault.ended_at > 0 ? fault.ended_at : ended_at);
+  }
+  return last > 0 ? last : ended_at;
+}
+
+bool Timeline::is(const std::string& service, std::int64_t session) const {
+  const auto found = sessions.find(service);
+  return found != sessions.end() && found->second.count(session) > 0;
+}
+
+int Timeline::task_state_at(std::int64_t t) const {
+  int state = -1;
+  for (const auto& heard : task_states) {
+    if (heard.t > t) break;
+    if (!heard.foreign && is("task-manager", heard.message.session)) state = heard.message.state;
+  }
+  return state;
+}
+
+Timeline timeline_of(const History& history) {
+  Timeline timeline;
+  decode_events(history, timeline);
+  take_facts(history, timeline);
+  learn_sessions(timeline);
+  keep_own(timeline, timeline.truth);
+  keep_own(timeline, timeline.base_truth);
+  run_clock(timeline);
+  const WorldClock& clock = timeline.clock;
+  stamp(clock, timeline.truth);
+  stamp(clock, timeline.base_truth);
+  stamp(clock, timeline.joint_commands);
+  stamp(clock, timeline.base_commands);
+  stamp(clock, timeline.servo_goals);
+  stamp(clock, timeline.base_goals);
+  stamp(clock, timeline.stops);
+  stamp(clock, timeline.stop_states);
+  stamp(clock, timeline.servo_statuses);
+  stamp(clock, timeline.base_statuses);
+  stamp(clock, timeline.task_commands);
+  stamp(clock, timeline.task_states);
+  stamp(clock, timeline.statuses);
+  timeline.printed = history.printed;
+  return timeline;
+}
+
+}  // namespace markservo::campaign

@@ -1,0 +1,123 @@
+// I9 to I11: what is told, kept and printed.
+
+#include <algorithm>
+
+#include "common/time/seconds_between.hpp"
+#include "tests/experiments/task_words.hpp"
+#include "tests/system/fault_campaign/invariants.hpp"
+#include "tests/system/fault_campaign/words.hpp"
+
+namespace markservo::campaign {
+namespace {
+
+bool done_well(const TaskState& task) {
+  return task.state == TaskState::DONE || task.state == TaskState::HOLD_LIFTED;
+}
+
+bool given_up(const TaskState& task) {
+  return task.state == TaskState::REFUSED || task.state == TaskState::FAILED || task.state == TaskState::STOPPED;
+}
+
+bool names_one(const std::string& reason, const Timeline& timeline) {
+  for (const Fault& fault : timeline.faults) {
+    for (const std::string& word : fault.words) {
+      if (reason.find(word) != std::string::npos) return true;
+    }
+  }
+  return false;
+}
+
+// What the stack says of the task from `t` on.
+const Heard<TaskState>* last_state_after(const Timeline& timeline, std::int64_t t) {
+  const Heard<TaskState>* last = nullptr;
+  for (const auto& heard : timeline.task_states) {
+    if (!heard.foreign && timeline.is("task-manager", heard.message.session) && heard.t > t) last = &heard;
+  }
+  return last;
+}
+
+// Whether the stack's task had come to its end before `t`.
+bool ended_before(const Timeline& timeline, std::int64_t t) {
+  const int state = timeline.task_state_at(t);
+  return state == TaskState::DONE || state == TaskState::HOLD_LIFTED;
+}
+
+}  // namespace
+
+Verdict tasks_end_with_the_reason(const Timeline& timeline, const Bars& bars) {
+  Verdict verdict;
+  if (timeline.task_starts.empty()) return verdict;
+  const std::int64_t strike = timeline.first_strike();
+  if (ended_before(timeline, strike)) return verdict;
+  const Heard<TaskState>* last = last_state_after(timeline, strike);
+  ++verdict.judged;
+  if (last == nullptr) {
+    note(verdict, timeline.ended_at, "the stack says nothing of its task any more");
+    return verdict;
+  }
+  const TaskState& task = last->message;
+  if (done_well(task)) return verdict;
+  // A task-manager that began anew has no task; it must say so.
+  if (given_up(task) || (task.state == TaskState::IDLE && !task.reason.empty())) {
+    if (!names_one(task.reason, timeline)) {
+      note(verdict, last->t,
+           text("the task ended as %s: \"%.300s\", which names no fault", experiments::task_state_name(task.state),
+                task.reason.c_str()));
+    }
+    return verdict;
+  }
+  if (task.state == TaskState::IDLE) {
+    note(verdict, last->t, "the task is gone, without a reason");
+  } else if (seconds_between(timeline.faults_gone(), timeline.ended_at) > bars.task_patience) {
+    note(verdict, last->t,
+         text("the task is in state %s %.1f s after the fault", experiments::task_state_name(task.state),
+              bars.task_patience));
+  }
+  return verdict;
+}
+
+Verdict recording_goes_on(const Timeline& timeline, const Bars& bars) {
+  Verdict verdict;
+  const auto bar_us = [](double seconds) { return static_cast<std::int64_t>(seconds * 1e6); };
+  for (const auto& recording : timeline.recordings) {
+    ++verdict.judged;
+    if (!recording.value("error", std::string()).empty()) {
+      note(verdict, timeline.ended_at, "the recording: " + recording.at("error").get<std::string>());
+    }
+    std::int64_t last = recording.value("began", std::int64_t{0});
+    std::vector<std::int64_t> moments;  // us, one a tenth of a second in which something was recorded
+    for (const auto& moment : recording.at("moments")) moments.push_back(moment.get<std::int64_t>());
+    const std::int64_t until = recording.value("ended", timeline.ended_at);
+    moments.push_back(until);
+    for (const std::int64_t moment : moments) {
+      if (moment > until) break;
+      // Nothing is missing where nothing was said.
+      std::int64_t said = 0;
+      for (const auto& truth : timeline.base_truth)
+        said += truth.t > last + bar_us(0.5) && truth.t < moment - bar_us(0.5) ? 1 : 0;
+      const bool before_fault = moment <= timeline.first_strike();
+      const double allowed = before_fault ? bars.recording_up_to : bars.recording_gap;
+      if (said > 10 && seconds_between(last, moment) > allowed) {
+        note(verdict, moment,
+             text("nothing recorded for %.1f s, from %.1f s after the first strike", seconds_between(last, moment),
+                  seconds_between(timeline.first_strike(), last)));
+      }
+      last = std::max(last, moment);
+    }
+  }
+  return verdict;
+}
+
+Verdict words_are_clean(const Timeline& timeline, const Bars&) {
+  Verdict verdict;
+  for (const auto& [name, printed] : timeline.printed) {
+    ++verdict.judged;
+    if (const std::string what = unclean(printed); !what.empty()) note(verdict, timeline.ended_at, name + ": " + what);
+    if (printed.find("\nFORGED") != std::string::npos) {
+      note(verdict, timeline.ended_at, name + ": a line that a message's text made up");
+    }
+  }
+  return verdict;
+}
+
+}  // namespace markservo::campaign

@@ -1,0 +1,87 @@
+#pragma once
+
+// Histories that no robot wrote: a stack at peace, to which a test adds what must be found.
+
+#include <cstdint>
+#include <map>
+#include <markservo/SimBody.hpp>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/system/fault_campaign/invariants.hpp"
+
+namespace markservo::campaign {
+
+inline constexpr std::int64_t kBegin = 1'700'000'000'000'000;  // us
+inline constexpr std::int64_t kSimulator = 101;                // sessions
+inline constexpr std::int64_t kServo = 102;
+inline constexpr std::int64_t kTask = 103;
+inline constexpr std::int64_t kNavigator = 104;
+inline constexpr std::int64_t kStranger = 999;
+
+inline std::int64_t at(double seconds) {
+  return kBegin + static_cast<std::int64_t>(seconds * 1e6);
+}
+
+// Limits as of a robot whose joints turn a quarter of a turn each way, at 5 rad/s.
+Bars forged_bars();
+
+class ForgedHistory {
+ public:
+  // The stack's services have spoken: their sessions are known.
+  ForgedHistory();
+
+  // The world from `from` to `to` (s): shafts as `angle` says by time for all joints, base at `x`; truth at 15 Hz and
+  // 50 Hz.
+  template <class Angle, class Place>
+  ForgedHistory& world(double from, double to, Angle angle, Place x) {
+    for (double t = from; t < to; t += 0.02) base_at(t, x(t));
+    for (double t = from; t < to; t += 1.0 / 15.0) arm_at(t, angle(t));
+    return *this;
+  }
+  ForgedHistory& still(double from, double to) {
+    return world(
+        from, to, [](double) { return 0.0; }, [](double) { return 0.0; });
+  }
+  ForgedHistory& arm_at(double t, double angle, const SimBody* body = nullptr, double opening = 0.03,
+                        const std::string& touched = {});
+  ForgedHistory& base_at(double t, double x, bool touched = false);
+
+  ForgedHistory& servo_goals(double from, double to, std::int64_t session = kTask, double stamp_off = 0.0);
+  ForgedHistory& follows(double t, std::int64_t session);
+  ForgedHistory& base_goals(double from, double to);
+  ForgedHistory& joint_commands(double from, double to, double position = 0.0, double speed = 1.0);
+  ForgedHistory& base_commands(double from, double to, double speed = 0.0);
+  ForgedHistory& stop_state(double t, const std::string& device, bool latched, std::int64_t request = 0);
+  ForgedHistory& reset(double t, std::int64_t id, double stamped);
+  ForgedHistory& task_state(double t, int state, const std::string& reason = {}, std::int64_t command = 0);
+  ForgedHistory& start_command(double t, std::int64_t id, double stamped);
+  // SERVICE_STATUS at 1 Hz; `received` messages more a second on `channel`.
+  ForgedHistory& says(double from, double to, const std::string& service, const std::string& state,
+                      const std::string& channel = {}, int received = 0);
+  ForgedHistory& messages(double from, double to, const std::string& channel, double rate, std::int64_t size);
+  ForgedHistory& process(double from, double to, const std::string& service, char state, double rss_mb = 50.0);
+  ForgedHistory& fault(double struck, double ended, std::set<std::string> words);
+  ForgedHistory& start(double t);
+  ForgedHistory& recorded(const std::vector<std::pair<double, double>>& spans, double until);
+  ForgedHistory& printed(const std::string& name, const std::string& text);
+
+  // In the order of time.
+  History history() const;
+  Timeline timeline() const { return timeline_of(history()); }
+
+ private:
+  template <class M>
+  ForgedHistory& add(double t, const std::string& channel, const M& message, bool foreign = false);
+
+  History history_;
+  std::int64_t seq_ = 0;
+  std::map<std::string, std::int64_t> pids_;
+  std::size_t faults_ = 0;
+};
+
+SimBody held_book(double height);
+
+}  // namespace markservo::campaign

@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/unit/fault_campaign/forged_history.hpp"
+
+namespace markservo::campaign {
+namespace {
+
+constexpr auto kStands = [](double) { return 0.0; };
+// From 3 s to 4 s at 0.1 rad/s or m/s.
+constexpr auto kMoves = [](double t) { return 0.1 * std::clamp(t - 3.0, 0.0, 1.0); };
+
+TEST(LatchedIsStill, HoldsForARobotThatRests) {
+  ForgedHistory forged;
+  forged.still(0.0, 8.0).stop_state(1.0, "arm", true).stop_state(1.0, "base", true);
+  const Verdict verdict = latched_is_still(forged.timeline(), forged_bars());
+  EXPECT_GT(verdict.judged, 1);
+  EXPECT_FALSE(verdict.broken());
+}
+
+TEST(LatchedIsStill, BreaksWhenTheArmMovesUnderALatch) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).stop_state(1.0, "arm", true);
+  EXPECT_TRUE(latched_is_still(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(LatchedIsStill, BreaksWhenTheBaseMovesUnderALatch) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kStands, kMoves).stop_state(1.0, "base", true);
+  EXPECT_TRUE(latched_is_still(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(LatchedIsStill, LetsAReleasedRobotMove) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kMoves).stop_state(1.0, "arm", true).stop_state(2.0, "arm", false);
+  EXPECT_FALSE(latched_is_still(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(LatchedIsStill, LetsTheArmBrake) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).stop_state(3.6, "arm", true);
+  EXPECT_FALSE(latched_is_still(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(MotionHasAGoal, HoldsWhileTheGoalIsRepeated) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kMoves).servo_goals(2.8, 4.0).base_goals(2.8, 4.0);
+  const Verdict verdict = motion_has_a_goal(forged.timeline(), forged_bars());
+  EXPECT_GT(verdict.judged, 10);
+  EXPECT_FALSE(verdict.broken());
+}
+
+TEST(MotionHasAGoal, BreaksWithoutAGoal) {
+  ForgedHistory arm;
+  arm.world(0.0, 8.0, kMoves, kStands);
+  EXPECT_TRUE(motion_has_a_goal(arm.timeline(), forged_bars()).broken());
+  ForgedHistory base;
+  base.world(0.0, 8.0, kStands, [](double t) { return 0.1 * std::clamp(t - 3.0, 0.0, 4.0); });
+  EXPECT_TRUE(motion_has_a_goal(base.timeline(), forged_bars()).broken());
+}
+
+TEST(MotionHasAGoal, BreaksWhenTheArmGoesOnAfterItsLastGoal) {
+  ForgedHistory forged;
+  forged
+      .world(
+          0.0, 9.0, [](double t) { return 0.1 * std::clamp(t - 3.0, 0.0, 4.0); }, kStands)
+      .servo_goals(2.8, 4.0);
+  EXPECT_TRUE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(MotionHasAGoal, BreaksWhenASecondSenderIsFollowed) {
+  // The first one holds the floor with goals to hold; it is the stranger's that move.
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).servo_goals(1.0, 2.0).servo_goals(2.5, 5.0, kStranger, -3600.0);
+  EXPECT_TRUE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(MotionHasAGoal, TakesOneWhoWritesAloneForLegal) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).servo_goals(2.5, 4.0, kStranger);
+  EXPECT_FALSE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(MotionHasAGoal, TakesNoGoalFromAnotherTimeForOne) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).servo_goals(2.8, 4.0, kTask, 3600.0);
+  EXPECT_TRUE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(MotionHasAGoal, BreaksWhenTheMoverFollowsTheSecondOfTwo) {
+  ForgedHistory first;
+  first.still(0.0, 6.0).servo_goals(1.0, 5.0).servo_goals(2.05, 5.0, kStranger).follows(4.0, kTask);
+  EXPECT_FALSE(motion_has_a_goal(first.timeline(), forged_bars()).broken());
+  ForgedHistory second;
+  second.still(0.0, 6.0).servo_goals(1.0, 5.0).servo_goals(2.05, 5.0, kStranger).follows(4.0, kStranger);
+  EXPECT_TRUE(motion_has_a_goal(second.timeline(), forged_bars()).broken());
+}
+
+TEST(MotionHasAGoal, LetsTheNextSpeakWhenTheFirstIsSilent) {
+  ForgedHistory forged;
+  forged.still(0.0, 6.0).servo_goals(1.0, 2.0).servo_goals(3.0, 5.0, kStranger).follows(4.0, kStranger);
+  EXPECT_FALSE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(MotionHasAGoal, TakesATaskOfThisMoment) {
+  ForgedHistory forged;
+  forged.still(0.0, 5.0).start_command(2.0, 7, 1.8).task_state(2.1, TaskState::LOOK, "", 7);
+  const Verdict verdict = motion_has_a_goal(forged.timeline(), forged_bars());
+  EXPECT_EQ(verdict.judged, 1);
+  EXPECT_FALSE(verdict.broken());
+}
+
+TEST(MotionHasAGoal, BreaksForATaskThatAnOldStartBegan) {
+  ForgedHistory forged;
+  forged.still(0.0, 5.0).start_command(2.0, 7, -2280.0).task_state(2.1, TaskState::LOOK, "", 7);
+  EXPECT_TRUE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(SilenceIsRest, HoldsWhileCommandsComeAndAtRestWithout) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kMoves).joint_commands(0.5, 4.0).base_commands(0.5, 4.0);
+  const Verdict verdict = silence_is_rest(forged.timeline(), forged_bars());
+  EXPECT_GT(verdict.judged, 10);
+  EXPECT_FALSE(verdict.broken());
+}
+
+TEST(SilenceIsRest, BreaksWhenTheArmGoesOnWithoutCommands) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 3.0);
+  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(SilenceIsRest, BreaksWhenTheBaseGoesOnWithoutCommands) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kStands, [](double t) { return 0.1 * std::clamp(t - 3.0, 0.0, 4.0); }).base_commands(0.5, 3.0);
+  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(WorldClock, GoesOnEvenlyWhenTheClockIsSet) {
+  WorldClock clock;
+  clock.heard(at(0.0), at(0.0));
+  clock.heard(at(0.1), at(0.1));
+  clock.heard(at(0.2), at(3600.2));
+  clock.heard(at(0.3), at(3600.3));
+  clock.heard(at(0.4), at(0.4));
+  EXPECT_NEAR(clock.at(at(0.45)), 0.4, 1e-9);
+}
+
+TEST(WorldClock, IsAsSlowAsTheWorld) {
+  WorldClock clock;
+  clock.heard(at(0.0), at(0.0));
+  clock.heard(at(1.0), at(0.5));
+  EXPECT_NEAR(clock.at(at(1.0)), 0.5, 1e-9);
+}
+
+}  // namespace
+}  // namespace markservo::campaign

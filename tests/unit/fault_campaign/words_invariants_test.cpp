@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include "tests/system/fault_campaign/words.hpp"
+#include "tests/unit/fault_campaign/forged_history.hpp"
+
+namespace markservo::campaign {
+namespace {
+
+ForgedHistory struck_task() {
+  ForgedHistory forged;
+  forged.still(0.0, 20.0)
+      .start(1.0)
+      .task_state(2.0, TaskState::SERVO)
+      .fault(5.0, 7.0, {"mark-detector", "TARGET_POSE"});
+  return forged;
+}
+
+TEST(TasksEndWithTheReason, HoldsWhenTheReasonNamesTheFault) {
+  ForgedHistory forged = struck_task();
+  forged.task_state(8.0, TaskState::FAILED, "TARGET_POSE is 2.1 s old");
+  const Verdict verdict = tasks_end_with_the_reason(forged.timeline(), forged_bars());
+  EXPECT_EQ(verdict.judged, 1);
+  EXPECT_FALSE(verdict.broken());
+}
+
+TEST(TasksEndWithTheReason, HoldsWhenTheTaskIsDone) {
+  ForgedHistory forged = struck_task();
+  forged.task_state(8.0, TaskState::HOLD_LIFTED);
+  EXPECT_FALSE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(TasksEndWithTheReason, BreaksForAReasonThatNamesSomethingElse) {
+  ForgedHistory forged = struck_task();
+  forged.task_state(8.0, TaskState::FAILED, "the hand's mark is hidden");
+  EXPECT_TRUE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(TasksEndWithTheReason, BreaksWhenTheTaskIsGoneWithoutAReason) {
+  ForgedHistory forged = struck_task();
+  forged.task_state(8.0, TaskState::IDLE);
+  EXPECT_TRUE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(TasksEndWithTheReason, BreaksWhenNothingIsToldAnyMore) {
+  EXPECT_TRUE(tasks_end_with_the_reason(struck_task().timeline(), forged_bars()).broken());
+}
+
+TEST(RecordingGoesOn, HoldsForARecordingWithAPauseForTheNextPart) {
+  ForgedHistory forged;
+  forged.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 8.0}, {11.0, 20.0}}, 20.0);
+  const Verdict verdict = recording_goes_on(forged.timeline(), forged_bars());
+  EXPECT_EQ(verdict.judged, 1);
+  EXPECT_FALSE(verdict.broken());
+}
+
+TEST(RecordingGoesOn, BreaksWhenItEndsWithTheFault) {
+  ForgedHistory forged;
+  forged.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 8.0}}, 20.0);
+  EXPECT_TRUE(recording_goes_on(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(RecordingGoesOn, BreaksWhenWhatCameBeforeCannotBeRead) {
+  ForgedHistory forged;
+  forged.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 4.0}, {9.0, 20.0}}, 20.0);
+  EXPECT_TRUE(recording_goes_on(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(RecordingGoesOn, MissesNothingWhereNothingWasSaid) {
+  ForgedHistory forged;
+  forged.still(0.0, 8.0).still(16.0, 20.0).fault(8.0, 15.0, {}).recorded({{0.0, 8.0}, {16.0, 20.0}}, 20.0);
+  EXPECT_FALSE(recording_goes_on(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(WordsAreClean, HoldsForOrdinaryText) {
+  ForgedHistory forged;
+  forged.printed("visual-servo.log", "12:00:00.000 visual-servo info hold: 5 µm, ready\n\tmore\n");
+  const Verdict verdict = words_are_clean(forged.timeline(), forged_bars());
+  EXPECT_EQ(verdict.judged, 1);
+  EXPECT_FALSE(verdict.broken());
+}
+
+TEST(WordsAreClean, BreaksForWhatCommandsATerminal) {
+  for (const std::string bad : {"\x1b[31m", "\x07", "\r", "\x7f",
+                                "\xc2\x9b"
+                                "31m",
+                                "\xe2\x80\xae", "\xff", "\xc0\x80"}) {
+    ForgedHistory forged;
+    forged.printed("visual-servo.log", "said " + bad + " so\n");
+    EXPECT_TRUE(words_are_clean(forged.timeline(), forged_bars()).broken()) << unclean(bad);
+  }
+}
+
+TEST(WordsAreClean, BreaksForALineThatATextMadeUp) {
+  ForgedHistory forged;
+  forged.printed("visual-servo.log", "stopped: red\nFORGED line\n");
+  EXPECT_TRUE(words_are_clean(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(Judge, JudgesAllTwelve) {
+  ForgedHistory forged;
+  forged.still(0.0, 5.0);
+  EXPECT_EQ(judge(forged.timeline(), forged_bars()).size(), 12U);
+}
+
+}  // namespace
+}  // namespace markservo::campaign
