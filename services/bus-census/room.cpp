@@ -76,7 +76,7 @@ bool needs_room(const std::vector<std::string>& services) {
 std::vector<std::string> obstacles(const Report& report, const RoomWish& wish) {
   std::map<std::string, std::string> channels_by_writer;
   for (const ChannelReport& channel : report.channels) {
-    if (!is_its_robot(wish, robot_of(channel.channel)) || !shall_write(wish, channel.channel)) continue;
+    if (!is_its_robot(wish, census::robot_of(channel.channel)) || !shall_write(wish, channel.channel)) continue;
     for (const std::string& writer : other_writers(report, wish, channel)) {
       std::string& names = channels_by_writer[writer];
       names += (names.empty() ? "" : ", ") + channel.channel;
