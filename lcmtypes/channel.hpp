@@ -3,6 +3,9 @@
 // What lcmtypes/channels.yaml says of a channel. The channels themselves are in <markservo/channels.hpp>, which the
 // build makes of that file; it names their types and includes none of them.
 
+#include <cstddef>
+#include <string_view>
+
 namespace markservo::channels {
 
 // What a second writer of a channel means.
@@ -27,8 +30,10 @@ struct Entry {
   bool feeds_motion = false;  // what moves decides by it, directly or through other services
   bool live = false;          // speaks for a device or process that is there now
   Repeat repeat = Repeat::kNone;
-  bool large = false;     // may exceed 9,000 bytes
-  const char* what = "";  // what it is for
+  bool large = false;        // may exceed 9,000 bytes
+  const char* what = "";     // what it is for
+  const char* writers = "";  // services, one blank between; "all", "person"
+  const char* readers = "";  // services
 };
 
 // A channel and the type of its messages.
@@ -36,5 +41,15 @@ template <class M>
 struct Channel : Entry {
   constexpr explicit Channel(const Entry& entry) : Entry(entry) {}
 };
+
+// Whether `names`, an entry's writers or readers, has `name`.
+constexpr bool has(std::string_view names, std::string_view name) {
+  while (!names.empty()) {
+    const std::size_t blank = names.find(' ');
+    if (names.substr(0, blank) == name) return true;
+    names.remove_prefix(blank == std::string_view::npos ? names.size() : blank + 1);
+  }
+  return false;
+}
 
 }  // namespace markservo::channels

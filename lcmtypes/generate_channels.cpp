@@ -61,16 +61,20 @@ class ChannelNode {
     return value;
   }
 
-  void names(const std::string& key) {
+  // One blank between them.
+  std::string names(const std::string& key) {
     const YAML::Node node = take(key);
     if (!node.IsSequence()) fail(key, "no list", "a list of services, [] for none");
+    std::string all;
     for (const auto& each : node) {
       const auto value = each.IsScalar() ? each.as<std::string>() : std::string();
       const bool plain = std::all_of(value.begin(), value.end(), [](unsigned char c) {
         return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '-';
       });
       if (value.empty() || !plain) fail(key, "'" + value + "'", "a service's name: a to z, 0 to 9 and -");
+      all += (all.empty() ? "" : " ") + value;
     }
+    return all;
   }
 
   // What is left over is a misspelt key.
@@ -122,14 +126,13 @@ Line read_channel(const std::string& file, const std::string& name, const YAML::
   if (!upper_snake || std::isupper(static_cast<unsigned char>(name[0])) == 0)
     channel.fail("", "a channel's name", "A to Z, 0 to 9 and _");
   Line line{name, channel.one_of("type", types), ""};
-  channel.names("writers");
-  channel.names("readers");
   std::ostringstream words;
   words << "\"" << name << "\", \"" << line.type
         << "\", Second::" << constant(channel.one_of("second", {"allowed", "ignored", "hold"}));
   for (const char* key : {"moves_robot", "feeds_motion", "live"}) words << ", " << channel.flag(key);
   words << ", Repeat::" << constant(channel.one_of("repeat", {"none", "steadily", "until_echoed"}));
   words << ", " << channel.flag("large") << ",\n    \"" << channel.text("what") << "\"";
+  for (const char* key : {"writers", "readers"}) words << ", \"" << channel.names(key) << "\"";
   channel.require_all_used();
   line.initializer = words.str();
   return line;

@@ -79,6 +79,7 @@ class Bus final : private SubscriptionHost, private MessageSink {
 
   template <class M>
   Publisher<M> advertise(const channels::Channel<M>& channel) {
+    advertised_.emplace_back(channel.name);
     MessageSink* sink = this;  // a private base: only here is the conversion allowed
     return Publisher<M>(sink, full_channel(channel.name), session_);
   }
@@ -121,6 +122,8 @@ class Bus final : private SubscriptionHost, private MessageSink {
   const BusUrls& urls() const { return parameters_.urls; }
   // The prefix of all channels, empty for none.
   const std::string& robot() const { return parameters_.robot; }
+  // The channels advertised, in that order, without the prefix.
+  const std::vector<std::string>& advertised() const { return advertised_; }
   // What SERVICE_STATUS says now.
   ServiceStatus status() const;
 
@@ -183,6 +186,7 @@ class Bus final : private SubscriptionHost, private MessageSink {
   std::shared_ptr<Connection> in_;
   std::shared_ptr<Connection> out_;  // the same where one URL serves both
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
+  std::vector<std::string> advertised_;
   std::unique_ptr<Subscription> echo_;  // SERVICE_STATUS, this service's own among them: heard unless the bus is deaf
   std::vector<Need> needs_;
   std::vector<std::pair<const Bus*, std::string>> reported_also_;  // with their channels' prefix

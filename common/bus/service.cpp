@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <markservo/ServiceStatus.hpp>
 #include <sstream>
 
 #include "common/bus/log_format.hpp"
@@ -23,6 +24,7 @@ struct CommonOptions {
   std::string log_level = "info";
   bool print_config = false;
   bool check = false;
+  bool list_channels = false;
 };
 
 void add_common_options(CLI::App& app, CommonOptions& options) {
@@ -30,6 +32,8 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.add_flag("--print-config", options.print_config, "Print all settings in force and exit")->configurable(false);
   app.add_flag("--check", options.check, "Say whether the settings and the files they name are valid, and exit")
+      ->configurable(false);
+  app.add_flag("--list-channels", options.list_channels, "Print the channels that it reads and writes, and exit")
       ->configurable(false);
   app.add_option("--robot-file", options.robot_file, "The robot's description")->capture_default_str();
   app.add_option("--robot", options.robot, "Prefix of all channels, for several robots on one bus");
@@ -59,6 +63,18 @@ std::string one_line(std::string text) {
   return text;
 }
 
+// On a bus of its own, which nobody hears.
+int list_channels(const ServiceInfo& info, Service& service) {
+  BusParameters parameters;
+  parameters.urls = {"memq://", "memq://"};
+  parameters.service_name = info.name;
+  Bus bus(parameters);
+  service.start(bus);
+  for (const ChannelStatus& channel : bus.status().channels) std::cout << "reads " << channel.channel << "\n";
+  for (const std::string& channel : bus.advertised()) std::cout << "writes " << channel << "\n";
+  return kExitStopped;
+}
+
 void complain(const ServiceInfo& info, const std::string& what) {
   std::cerr << info.name << ": " << text::printable(what) << "\n";
 }
@@ -74,6 +90,7 @@ int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const 
     return kExitStopped;
   }
   service.configure(options.robot_file);
+  if (options.list_channels) return list_channels(info, service);
   if (const auto exit_code = service.run_alone()) return *exit_code;
 
   BusParameters parameters;

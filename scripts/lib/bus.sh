@@ -1,18 +1,10 @@
 # shellcheck shell=bash disable=SC2034 # variables of the sourcing script
-# The bus as the scripts know it: its address, and who writes on it. To be sourced after project.sh.
+# The bus as the scripts know it: its address, and the services that are started on it. To be sourced after project.sh.
 
 # As in common/bus/bus_url.hpp.
 default_lcm_url='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'
 # As in common/bus/network_check.hpp: bytes of receive buffer; below it 60 to 98% of raw frames are lost.
 receive_buffer_for_raw_frames=2000000
-
-# channels_heard CENSUS URL SECONDS: the channels that somebody writes meanwhile, one a line, sorted. CENSUS is the
-# executable bus-census; its exit code where the bus cannot be listened to.
-channels_heard() {
-  local heard
-  heard=$("$1" --lcm-url "$2" --for "$3" --json) || return
-  jq -r '.channels[].channel' <<<"$heard" | sort -u
-}
 
 # services_of PROFILE: the services of a profile of scripts/stack, one a line; fails for a name that is none.
 services_of() {

@@ -1,6 +1,7 @@
 #include "services/bus-bridge/crossing_options.hpp"
 
 #include <algorithm>
+#include <markservo/channels.hpp>
 #include <set>
 
 #include "common/bus/bus_url.hpp"
@@ -35,6 +36,23 @@ void check_channels(const char* option, const std::vector<std::string>& channels
   }
 }
 
+// What the table of channels says against it. A channel that it does not have may cross.
+void check_by_the_table(const Crossing& crossing, const std::string& channel) {
+  const channels::Entry* entry = channels::find(channel);
+  if (entry == nullptr) return;
+  if (entry->large && crossing.largest <= Crossing().largest) {
+    throw ConfigurationError("--send or --receive names " + channel + ", whose messages may exceed " +
+                             std::to_string(crossing.largest) + " bytes (--largest); allowed: small channels");
+  }
+  const auto names = [&channel](const std::vector<std::string>& list) {
+    return std::find(list.begin(), list.end(), channel) != list.end();
+  };
+  if (entry->second != channels::Second::kAllowed && names(crossing.send) && names(crossing.receive)) {
+    throw ConfigurationError("--send and --receive both name " + channel +
+                             ", which one alone may write; allowed: one of them");
+  }
+}
+
 }  // namespace
 
 void check(const Crossing& crossing) {
@@ -47,6 +65,9 @@ void check(const Crossing& crossing) {
   }
   check_channels("--send", crossing.send);
   check_channels("--receive", crossing.receive);
+  for (const auto* list : {&crossing.send, &crossing.receive}) {
+    for (const std::string& channel : *list) check_by_the_table(crossing, channel);
+  }
 }
 
 void check_beside(const Crossing& crossing, const std::string& local_url) {

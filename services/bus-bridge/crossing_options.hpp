@@ -17,7 +17,8 @@ struct Crossing {
 };
 
 // Throws ConfigurationError (what, value, allowed) for: no link or one that is no udpm:// URL; no channel at all; a
-// channel that is not upper-case letters, digits and _; one named twice in a list.
+// channel that is not upper-case letters, digits and _; one named twice in a list; and, as the table of channels says,
+// one whose messages are too large for a link, or one in both lists that one alone may write.
 void check(const Crossing& crossing);
 
 // Throws ConfigurationError for a host's bus `local_url` that is no udpm:// URL, and for a link on its port: LCM tells

@@ -12,11 +12,14 @@
 #include "common/time/clocks.hpp"
 #include "services/bus-census/bus_census_node.hpp"
 #include "services/bus-census/clock_reader.hpp"
+#include "services/bus-census/room.hpp"
 
 namespace {
 
 namespace census = markservo::census;
 using markservo::bus_census::BusCensusNode;
+using markservo::bus_census::needs_room;
+using markservo::bus_census::RoomWish;
 using Json = nlohmann::ordered_json;
 
 struct Options {
@@ -24,6 +27,8 @@ struct Options {
   double seconds = 1.5;  // every service speaks once a second
   bool json = false;
   bool follow = false;
+  RoomWish room;
+  std::vector<int> own;
 };
 
 void print(const Json& json) {
@@ -38,7 +43,18 @@ Json receive_buffer() {
           {"raw_frames_need", markservo::bus::kReceiveBufferForRawFrames}};
 }
 
+// Says what stands against it; exits 0 where nothing does.
+int tell_room(const Options& options, const census::Report& report) {
+  RoomWish wish = options.room;
+  wish.host = markservo::bus::host_name();
+  wish.own.insert(options.own.begin(), options.own.end());
+  const std::vector<std::string> lines = obstacles(report, wish);
+  for (const std::string& line : lines) std::cout << line << "\n";
+  return lines.empty() ? markservo::bus::kExitStopped : markservo::bus::kExitFailed;
+}
+
 int run(const Options& options) {
+  if (!options.room.services.empty() && !needs_room(options.room.services)) return markservo::bus::kExitStopped;
   BusCensusNode node(options.url, options.follow);
   if (options.follow) {
     node.on_status = [](const census::ServiceWord& word) { print(census::json_of(word)); };
@@ -49,6 +65,7 @@ int run(const Options& options) {
   node.listen(options.seconds);
   const int64_t jump_us = (markservo::wall_clock_us() - wall_us) - (markservo::steady_clock_us() - steady_us);
   if (options.follow) return markservo::bus::kExitStopped;
+  if (!options.room.services.empty()) return tell_room(options, node.report());
   if (!options.json) {
     std::cout << census::table_of(node.report());
     return markservo::bus::kExitStopped;
@@ -77,5 +94,10 @@ int main(int argc, char** argv) {
   auto* json = app.add_flag("--json", options.json, "One JSON object instead of tables");
   app.add_flag("--follow", options.follow, "Print each SERVICE_STATUS instead when it comes, one JSON object a line")
       ->excludes(json);
+  app.add_option("--room-for", options.room.services,
+                 "Instead: name who writes already what these services would write; exits 1 if somebody does")
+      ->delimiter(',');
+  app.add_option("--robot", options.room.robot, "With --room-for: this robot's channels only, '' for no prefix");
+  app.add_option("--own", options.own, "With --room-for: processes of this host that are no obstacle")->delimiter(',');
   return markservo::bus::run_tool(app, argc, argv, [&options] { return run(options); });
 }

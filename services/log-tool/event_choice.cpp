@@ -1,38 +1,12 @@
 #include "services/log-tool/event_choice.hpp"
 
-#include <regex.h>
-
 #include <algorithm>
-#include <array>
 #include <map>
-#include <memory>
-#include <stdexcept>
+
+#include "services/log-tool/name_expression.hpp"
 
 namespace markservo::log_tool {
 namespace {
-
-// An expression for a whole name.
-class NameExpression {
- public:
-  explicit NameExpression(const std::string& text) {
-    auto compiled = std::make_unique<regex_t>();
-    const int error = regcomp(compiled.get(), ("^(" + text + ")$").c_str(), REG_EXTENDED | REG_NOSUB);
-    if (error != 0) {
-      std::array<char, 200> why{};
-      regerror(error, compiled.get(), why.data(), why.size());
-      throw std::invalid_argument("channel expression '" + text + "': " + why.data() +
-                                  "; allowed: an extended regular expression (POSIX)");
-    }
-    compiled_ = {compiled.release(), [](regex_t* regex) {
-                   regfree(regex);
-                   delete regex;
-                 }};
-  }
-  bool matches(const std::string& name) const { return regexec(compiled_.get(), name.c_str(), 0, nullptr, 0) == 0; }
-
- private:
-  std::shared_ptr<regex_t> compiled_;
-};
 
 class ChannelFilter {
  public:

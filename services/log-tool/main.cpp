@@ -1,5 +1,5 @@
-// Looks into LCM logs, mends them, cuts them, compares them.
-//   in: log files     out: log files, CSV, PNG, text or JSON     bus: none
+// Looks into LCM logs, mends them, cuts them, compares them, plays them.
+//   in: log files     out: log files, CSV, PNG, text or JSON; `play` writes to a bus
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "common/bus/bus.hpp"
+#include "common/bus/service.hpp"
 #include "common/reflection/type_catalog.hpp"
 #include "common/reflection/value_text.hpp"
 #include "services/log-tool/comparison_report.hpp"
@@ -17,6 +19,7 @@
 #include "services/log-tool/info_report.hpp"
 #include "services/log-tool/log_files.hpp"
 #include "services/log-tool/log_splice.hpp"
+#include "services/log-tool/play_node.hpp"
 
 namespace {
 
@@ -26,7 +29,9 @@ using markservo::reflection::TypeCatalog;
 
 constexpr int kGood = 0;
 constexpr int kDamagedOrDifferent = 1;
+constexpr int kBusInUse = 1;
 constexpr int kBadInput = 2;
+constexpr int kNoBus = markservo::bus::kExitBusUnavailable;
 
 void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
@@ -42,6 +47,7 @@ struct Options {
   bool complete = false;
   EventChoice choice;
   ComparisonParameters comparison;
+  PlayOptions play;
 };
 
 LogSet open_logs(const std::vector<std::string>& paths) {
@@ -125,6 +131,10 @@ int splice(const Options& options) {
   return kGood;
 }
 
+int play_log(const Options& options) {
+  return play(open_logs({options.input}), options.play) ? kGood : kDamagedOrDifferent;
+}
+
 int types(const Options& options) {
   nlohmann::ordered_json json;
   for (const auto* type : TypeCatalog::ours().all()) {
@@ -143,8 +153,9 @@ int types(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Looks into LCM logs, mends, cuts, exports and compares them. A LOG is a file or a recording's folder.\n"
-      "Exits 0 when all is well, 1 for a damaged log or a difference, 2 for what is no log or a wrong option."};
+      "Looks into LCM logs, mends, cuts, exports, compares and plays them. A LOG is a file or a recording's folder.\n"
+      "Exits 0 when all is well, 1 for a damaged log, a difference or a bus in use, 2 for what is no log or a wrong\n"
+      "option, 3 for a bus that cannot be joined."};
   app.require_subcommand(1);
   Options options;
   std::function<int(const Options&)> action;
@@ -205,6 +216,24 @@ int main(int argc, char** argv) {
   sub->add_option("NEW", options.output)->required();
   sub->add_option("--without", options.choice.without, "Not these channels of RECORDED")->allow_extra_args(false);
 
+  sub = command("play", "Plays to a bus what moves no robot", play_log);
+  sub->add_option("LOG", options.input)->required();
+  const auto no_live_bus = [](const std::string& url) {
+    const bool live = markservo::bus::is_udpm(url) || url.rfind("tcpq://", 0) == 0;
+    return live ? std::string() : url + ": allowed are udpm:// and tcpq://, a bus that others are on";
+  };
+  sub->add_option("--lcm-url", options.play.url, "The bus")
+      ->envname("MARKSERVO_LCM_URL")
+      ->check(CLI::Validator(no_live_bus, "udpm:// or tcpq://"))
+      ->capture_default_str();
+  sub->add_option("--speed", options.play.speed, "Times the recorded pace")
+      ->check(CLI::Range(1e-6, 1e6))
+      ->capture_default_str();
+  sub->add_option("--channel", options.play.channels,
+                  "These channels only (regular expression), also such as the table of channels does not have");
+  sub->add_flag("--all", options.play.all, "Also what moves a robot or speaks for what is there now");
+  sub->add_flag("--join", options.play.join, "Beside others: leaves out what somebody writes and what feeds motion");
+
   sub = command("types", "The message types that this build knows, with their fingerprints", types);
   sub->add_flag("--json", options.json, "JSON for programs");
 
@@ -217,6 +246,7 @@ int main(int argc, char** argv) {
     return action(options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "log-tool: %s\n", error.what());
-    return kBadInput;
+    if (dynamic_cast<const markservo::bus::BusUnavailable*>(&error) != nullptr) return kNoBus;
+    return dynamic_cast<const BusInUse*>(&error) != nullptr ? kBusInUse : kBadInput;
   }
 }

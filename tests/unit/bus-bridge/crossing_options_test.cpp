@@ -41,6 +41,24 @@ TEST(Crossing, TheSameChannelMayCrossBothWays) {
   EXPECT_EQ(why_refused(crossing), "");
 }
 
+TEST(Crossing, OnlyWhatManyMayWriteMayCrossBothWays) {
+  Crossing crossing = one_channel();
+  crossing.receive = crossing.send;
+  EXPECT_NE(why_refused(crossing).find("both name TARGET_POSE, which one alone may write; allowed: one of them"),
+            std::string::npos);
+  crossing.send = crossing.receive = {"UNLISTED"};
+  EXPECT_EQ(why_refused(crossing), "") << "what the table does not have is its writers' matter";
+}
+
+TEST(Crossing, WhatIsTooLargeForALinkIsToldBeforeItIsLost) {
+  Crossing crossing = one_channel();
+  crossing.send = {"MARK_DETECTION"};
+  EXPECT_NE(why_refused(crossing).find("names MARK_DETECTION, whose messages may exceed 9000 bytes"),
+            std::string::npos);
+  crossing.largest = 65000;
+  EXPECT_EQ(why_refused(crossing), "") << "who knows his link may say so";
+}
+
 TEST(Crossing, ALinkMustBeNamedAndLive) {
   Crossing crossing = one_channel();
   for (const char* url : {"", "memq://", "file://link.lcm?mode=w", "tcpq://"}) {

@@ -120,9 +120,10 @@ TEST_F(GenerateChannels, RefusesWhatIsNotAllowedNamingFileKeyValueAndAllowed) {
   expect_refused(with("STOP", "type: StopRequest", "type: StopRequests"), "STOP.type is 'StopRequests'; allowed: ");
   expect_refused(with("STOP", "repeat: until_echoed", "repeat: 5"),
                  "STOP.repeat is '5'; allowed: none, steadily, until_echoed");
-  expect_refused(with("STOP", "[task-operator, person]", "[Task_Operator]"),
-                 "STOP.writers is 'Task_Operator'; allowed: ");
-  expect_refused(with("STOP", "[task-operator, person]", "task-operator"), "STOP.writers is no list; allowed: ");
+  expect_refused(with("BASE_COMMAND", "[base-navigator]", "[Base_Navigator]"),
+                 "BASE_COMMAND.writers is 'Base_Navigator'; allowed: ");
+  expect_refused(with("BASE_COMMAND", "[base-navigator]", "base-navigator"),
+                 "BASE_COMMAND.writers is no list; allowed: ");
   expect_refused(with("STOP", "what: stops", "what: \"\\\"\" #"), "STOP.what is '\"'; allowed: ");
   expect_refused(with("STOP", "STOP:", "Stop:"), "Stop is a channel's name; allowed: A to Z, 0 to 9 and _");
 }

@@ -1,0 +1,129 @@
+#include "services/log-tool/play_node.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <lcm/lcm-cpp.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "common/bus/bus.hpp"
+#include "common/bus/end_signals.hpp"
+#include "common/bus/listener.hpp"
+#include "common/bus/network_check.hpp"
+#include "common/reflection/value_text.hpp"
+#include "common/time/clocks.hpp"
+#include "services/log-tool/play_choice.hpp"
+#include "services/log-tool/play_schedule.hpp"
+
+namespace markservo::log_tool {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+constexpr std::int64_t kListen_us = 1'200'000;    // every state is repeated once a second or more often
+constexpr std::int64_t kSilence_us = 10'000'000;  // worth a word
+constexpr milliseconds kSlice{100};               // how long a signal may wait
+
+void say(const std::string& line) {
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f s", seconds);
+  return text;
+}
+
+std::set<std::string> channels_written(const std::string& url) {
+  constexpr int kQueue = 1000;
+  std::set<std::string> channels;
+  bus::Listener listener(url, ".*", kQueue, [&](const bus::HeardBytes& message) { channels.insert(message.channel); });
+  const std::int64_t end = steady_clock_us() + kListen_us;
+  while (steady_clock_us() < end && !bus::told_to_end()) listener.poll(kSlice);
+  return channels;
+}
+
+void refuse_a_second_writer(const PlayPlan& plan, const PlayWishes& wishes, const std::string& url) {
+  std::string both;
+  for (const std::string& channel : plan.played) {
+    if (wishes.written.count(channel) > 0) both += " " + reflection::printable(channel);
+  }
+  if (both.empty()) return;
+  throw BusInUse("somebody writes" + both + " on " + url +
+                 " already; nothing was played (--join plays beside it what nobody writes and nothing "
+                 "moves by)");
+}
+
+class Player {
+ public:
+  explicit Player(const std::string& url) : lcm_(url) {
+    if (!lcm_.good()) throw bus::BusUnavailable("bus " + url + ": cannot be joined; " + bus::multicast_route_advice());
+  }
+
+  void send(const Event& event) {
+    if (lcm_.publish(std::string(event.channel), event.data.data, static_cast<unsigned int>(event.data.size)) == 0) {
+      ++sent_;
+    } else if (failed_++ == 0) {
+      first_failure_ =
+          reflection::printable(std::string(event.channel)) + " of " + std::to_string(event.data.size) + " bytes";
+    }
+  }
+
+  std::int64_t sent() const { return sent_; }
+  std::int64_t failed() const { return failed_; }
+  const std::string& first_failure() const { return first_failure_; }
+
+ private:
+  lcm::LCM lcm_;
+  std::int64_t sent_ = 0;
+  std::int64_t failed_ = 0;
+  std::string first_failure_;
+};
+
+// False when told to end meanwhile.
+bool wait_until(std::int64_t due_us) {
+  if (const std::int64_t silence = due_us - steady_clock_us(); silence > kSilence_us) {
+    say("the recording is silent: nothing is played for " + seconds_text(1e-6 * static_cast<double>(silence)));
+  }
+  for (std::int64_t left = due_us - steady_clock_us(); left > 0 && !bus::told_to_end();
+       left = due_us - steady_clock_us()) {
+    std::this_thread::sleep_for(std::min<microseconds>(microseconds(left), kSlice));
+  }
+  return !bus::told_to_end();
+}
+
+}  // namespace
+
+bool play(const LogSet& logs, const PlayOptions& options) {
+  PlayWishes wishes;
+  if (!options.channels.empty()) wishes.channels = NameExpression(options.channels);
+  wishes.all = options.all;
+  wishes.join = options.join;
+  Player player(options.url);
+  wishes.written = channels_written(options.url);
+  if (bus::told_to_end()) return true;
+  const PlayPlan plan = plan_of(logs.events(), wishes, reflection::TypeCatalog::ours());
+  if (logs.damaged()) say("the log is damaged: what can be read is played (log-tool verify says more)");
+  for (const std::string& line : left_out_text(plan)) say(line);
+  if (plan.events.empty()) throw std::invalid_argument("no channel to play is in the log; log-tool info shows what is");
+  if (!options.join) refuse_a_second_writer(plan, wishes, options.url);
+  say("playing " + seconds_text(std::max(0.0, seconds_apart(plan.events.front().utime, plan.events.back().utime))) +
+      " of " + std::to_string(plan.played.size()) + " channels to " + options.url);
+  PlaySchedule schedule(options.speed);
+  for (const Event& event : plan.events) {
+    if (!wait_until(schedule.due_us(event.utime, steady_clock_us()))) break;
+    player.send(event);
+  }
+  if (schedule.jumps() > 0)
+    say("the log's time jumps " + std::to_string(schedule.jumps()) + " times: no waiting there");
+  say("played " + std::to_string(player.sent()) + " messages");
+  if (player.failed() == 0) return true;
+  std::fprintf(stderr, "log-tool: the bus did not take %lld messages; the first on %s\n",
+               static_cast<long long>(player.failed()), player.first_failure().c_str());
+  return false;
+}
+
+}  // namespace markservo::log_tool

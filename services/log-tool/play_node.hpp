@@ -1,0 +1,33 @@
+#pragma once
+
+// Plays a log to a bus that others are on.
+
+#include <stdexcept>
+#include <string>
+
+#include "common/bus/bus_url.hpp"
+#include "services/log-tool/log_files.hpp"
+
+namespace markservo::log_tool {
+
+// Somebody writes what would be played: a reader would hear both. Nothing was sent.
+class BusInUse : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct PlayOptions {
+  std::string url = bus::kDefaultUrl;
+  double speed = 1.0;    // times the recorded pace, above 0
+  std::string channels;  // NameExpression; empty: all
+  bool all = false;
+  bool join = false;
+};
+
+// Plays what plan_of() lets through, at the recorded pace, until the end or a signal; says on standard output what is
+// played and what is left out, and why. Listens for 1.2 s before. Throws BusInUse (never with `join`), BusUnavailable,
+// and std::invalid_argument when nothing is left to play. False if the bus did not take some message, which is said on
+// standard error.
+bool play(const LogSet& logs, const PlayOptions& options);
+
+}  // namespace markservo::log_tool

@@ -1,0 +1,159 @@
+// What of a log may go to a bus that a robot may be on, and when.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <markservo/StopRequest.hpp>
+#include <markservo/channels.hpp>
+
+#include "services/log-tool/play_choice.hpp"
+#include "services/log-tool/play_schedule.hpp"
+#include "tests/unit/log-tool/log_bytes.hpp"
+
+namespace markservo::log_tool {
+namespace {
+
+PlayWishes named(const std::string& expression) {
+  PlayWishes wishes;
+  wishes.channels = NameExpression(expression);
+  return wishes;
+}
+
+PlayWishes all() {
+  PlayWishes wishes;
+  wishes.all = true;
+  return wishes;
+}
+
+PlayWishes join(const std::set<std::string>& written = {}) {
+  PlayWishes wishes;
+  wishes.join = true;
+  wishes.written = written;
+  return wishes;
+}
+
+TEST(PlayedChannels, AreThoseOfTheTableThatDoNotMove) {
+  for (const channels::Entry& entry : channels::kAll) {
+    const Fate fate = fate_of(entry.name, {});
+    EXPECT_EQ(fate == Fate::kMoves, entry.moves_robot) << entry.name;
+    EXPECT_EQ(fate == Fate::kLive, entry.live) << entry.name;
+    EXPECT_EQ(fate == Fate::kPlayed, !entry.moves_robot && !entry.live) << entry.name;
+  }
+}
+
+TEST(PlayedChannels, AreNotMovingOnesOfAnyRobot) {
+  EXPECT_EQ(fate_of("r1/STOP", {}), Fate::kMoves);
+  EXPECT_EQ(fate_of("a/b/SERVO_GOAL", {}), Fate::kMoves);
+  EXPECT_EQ(fate_of("r1/TARGET_POSE", {}), Fate::kPlayed);
+}
+
+TEST(PlayedChannels, AreUnlistedOnesOnlyWhenNamed) {
+  EXPECT_EQ(fate_of("CAMERA_2", {}), Fate::kUnlisted);
+  EXPECT_EQ(fate_of("CAMERA_2", named("CAMERA_[0-9]")), Fate::kPlayed);
+  EXPECT_EQ(fate_of("TARGET_POSE", named("CAMERA_[0-9]")), Fate::kNotNamed);
+  EXPECT_EQ(fate_of("CAMERA_2", all()), Fate::kPlayed);
+}
+
+TEST(PlayedChannels, AreNeverMovingOnesForAnExpressionThatTakesThem) {
+  EXPECT_EQ(fate_of("STOP", named(".*")), Fate::kMoves);
+  EXPECT_EQ(fate_of("STOP", named("STOP")), Fate::kMoves);
+  EXPECT_EQ(fate_of("STOP", all()), Fate::kPlayed);
+}
+
+TEST(PlayedChannels, HaveNamesThatNeverAreExpressions) {
+  for (const char* name : {"P\\E|.*|\\Q", ".*", "STOP|TASK_COMMAND", "(", "$(STOP)"}) {
+    EXPECT_EQ(fate_of(name, {}), Fate::kUnlisted) << name;
+  }
+  EXPECT_EQ(fate_of("TARGET_POSE", named("TARGET.POSE")), Fate::kPlayed);
+}
+
+TEST(PlayedChannels, HaveNamesThatABusCarries) {
+  EXPECT_EQ(fate_of(std::string("STOP\0X", 6), all()), Fate::kNoName) << "the bus would carry STOP";
+  EXPECT_EQ(fate_of("", all()), Fate::kNoName);
+  EXPECT_EQ(fate_of(std::string(64, 'A'), all()), Fate::kNoName);
+  EXPECT_EQ(fate_of(std::string(63, 'A'), all()), Fate::kPlayed);
+}
+
+TEST(PlayedBesideOthers, IsNothingThatMotionDependsOnAndNothingWritten) {
+  for (const channels::Entry& entry : channels::kAll) {
+    EXPECT_EQ(fate_of(entry.name, join()) == Fate::kPlayed, !entry.feeds_motion && !entry.live) << entry.name;
+  }
+  EXPECT_EQ(fate_of("JOINT_STATE", join()), Fate::kFeedsMotion);
+  EXPECT_EQ(fate_of("JOINT_STATE", join({"JOINT_STATE"})), Fate::kWritten);
+  EXPECT_EQ(fate_of("r2/STEREO_MATCHES", join({"STEREO_MATCHES"})), Fate::kPlayed);
+  EXPECT_EQ(fate_of("STEREO_MATCHES", join({"STEREO_MATCHES"})), Fate::kWritten);
+}
+
+TEST(PlayedBesideOthers, IsNothingThatMovesEvenWithAll) {
+  PlayWishes wishes = join();
+  wishes.all = true;
+  EXPECT_EQ(fate_of("STOP", wishes), Fate::kFeedsMotion);
+}
+
+StopRequest release() {
+  StopRequest request{};
+  request.kind = StopRequest::RESET;
+  return request;
+}
+
+std::vector<OwnedEvent> disguised() {
+  return {{0, 1, "TARGET_POSE", payload(target_pose(1, 7, 1))},
+          {1, 2, "TARGET_POSE", payload(release())},
+          {2, 3, "MINE", payload(release())},
+          {3, 4, "STOP", payload(release())}};
+}
+
+TEST(PlayPlan, HasNoMessageOfAMovingTypeWhateverItsChannelIsCalled) {
+  const auto events = disguised();
+  const PlayPlan plan = plan_of(views(events), named(".*"), reflection::TypeCatalog::ours());
+  ASSERT_EQ(plan.events.size(), 1U);
+  EXPECT_EQ(plan.events[0].number, 0);
+  EXPECT_EQ(plan.moving_messages, (std::map<std::string, std::int64_t>{{"MINE", 1}, {"TARGET_POSE", 1}}));
+  EXPECT_EQ(plan.played, (std::set<std::string>{"TARGET_POSE"}));
+}
+
+TEST(PlayPlan, HasAllWhenAllIsAskedFor) {
+  const auto events = disguised();
+  EXPECT_EQ(plan_of(views(events), all(), reflection::TypeCatalog::ours()).events.size(), 4U);
+}
+
+TEST(PlayPlan, SaysWhatIsLeftOutAndWhatPlaysIt) {
+  auto events = disguised();
+  events.push_back({4, 5, "A\x1b]0;", "?"});
+  const auto lines = left_out_text(plan_of(views(events), {}, reflection::TypeCatalog::ours()));
+  EXPECT_EQ(lines, (std::vector<std::string>{
+                       "left out: STOP (moves a robot; --all plays it)",
+                       "left out: MINE, A?]0; (not in the table of channels; --channel plays it)",
+                       "left out: 1 messages on TARGET_POSE of a type that moves a robot (--all plays them)"}));
+}
+
+TEST(PlaySchedule, KeepsTheRecordedPaceWhateverIsLate) {
+  PlaySchedule schedule(2.0);
+  EXPECT_EQ(schedule.due_us(1'000'000, 500), 500);
+  EXPECT_EQ(schedule.due_us(3'000'000, 600), 1'000'500);
+  EXPECT_EQ(schedule.due_us(4'000'000, 1'700'000), 1'500'500) << "due before it could be sent: no delay adds up";
+}
+
+TEST(PlaySchedule, TakesALittleDisorderForNoJump) {
+  PlaySchedule schedule(1.0);
+  schedule.due_us(1'000'000, 0);
+  schedule.due_us(2'000'000, 1'000'000);
+  EXPECT_EQ(schedule.due_us(1'900'000, 1'000'000), 900'000);
+  EXPECT_EQ(schedule.due_us(2'500'000, 1'000'000), 1'500'000);
+  EXPECT_EQ(schedule.jumps(), 0);
+}
+
+TEST(PlaySchedule, BeginsAnewWhereTheLogsTimeJumps) {
+  constexpr std::int64_t kDay_us = 86'400'000'000;
+  PlaySchedule schedule(1.0);
+  schedule.due_us(10'000'000, 0);
+  EXPECT_EQ(schedule.due_us(1'000'000, 50), 50) << "back";
+  EXPECT_EQ(schedule.due_us(2'000'000, 60), 1'000'050);
+  EXPECT_EQ(schedule.due_us(3 * kDay_us, 70), 70) << "on by days";
+  EXPECT_EQ(schedule.jumps(), 2);
+  EXPECT_EQ(schedule.due_us(std::numeric_limits<std::int64_t>::min(), 80), 80);
+  EXPECT_EQ(schedule.due_us(std::numeric_limits<std::int64_t>::max(), 90), 90);
+}
+
+}  // namespace
+}  // namespace markservo::log_tool
