@@ -136,6 +136,16 @@ class Bus final : private SubscriptionHost, private MessageSink {
     double within;  // s
   };
 
+  // Logs a trouble once when it begins, and gives how long it lasted when it is over.
+  struct TroubleLog {
+    std::optional<std::chrono::steady_clock::time_point> since;
+    bool is_told = false;
+
+    // Nothing is told before it has lasted for `patience`. The duration, s, of one that was told and is over.
+    std::optional<double> follow(const std::optional<Word>& trouble, std::chrono::seconds patience,
+                                 std::chrono::steady_clock::time_point now);
+  };
+
   template <class M>
   void subscribe(const channels::Channel<M>& channel, Delivery delivery,
                  typename TypedSubscription<M>::Handler handler) {
@@ -180,8 +190,8 @@ class Bus final : private SubscriptionHost, private MessageSink {
   std::unique_ptr<Publisher<ServiceStatus>> status_publisher_;
   Word own_{kStarting, {}};
   Word told_{kStarting, {}};
-  std::optional<std::chrono::steady_clock::time_point> trouble_since_;  // by the bus's word
-  bool trouble_is_logged_ = false;
+  TroubleLog network_log_;
+  TroubleLog input_log_;
   TimeLine time_line_;
   int heartbeats_unheard_ = 0;  // sent since anything was heard
   bool stopped_ = false;

@@ -1,11 +1,11 @@
 // What a Bus does about its network and what it says of its service.
 
-#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
 #include <chrono>
 #include <markservo/ServiceStatus.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "common/bus/bus.hpp"
 
@@ -126,26 +126,34 @@ void Bus::tell(const Word& word) {
   }
 }
 
-// Once when it begins, and once when it is over.
+// While there is no network, nothing can be said of the inputs.
 void Bus::log_trouble(const std::optional<Word>& network, const std::optional<Word>& inputs) {
   const auto now = steady_clock::now();
-  const std::optional<Word>& trouble = network ? network : inputs;
-  if (!trouble) {
-    if (trouble_is_logged_) {
-      const int64_t refused = out_->refused_sends(now).total;
-      spdlog::info("goes on after {:.1f} s{}", seconds_since(*trouble_since_, now),
-                   refused == 0 ? "" : fmt::format("; since its start the network refused {} messages", refused));
-    }
-    trouble_since_.reset();
-    trouble_is_logged_ = false;
-    return;
+  if (const auto lasted = network_log_.follow(network, std::chrono::seconds(0), now)) {
+    spdlog::info("the network is back after {:.1f} s; it refused {} messages in all", *lasted,
+                 out_->refused_sends(now).total);
   }
-  if (!trouble_since_) trouble_since_ = now;
-  if (trouble_is_logged_ || (!network && now - *trouble_since_ < kLogAfter)) return;
+  if (network) return;
+  if (const auto lasted = input_log_.follow(inputs, kLogAfter, now)) {
+    spdlog::info("goes on after {:.1f} s", *lasted);
+  }
+}
+
+std::optional<double> Bus::TroubleLog::follow(const std::optional<Word>& trouble, std::chrono::seconds patience,
+                                              steady_clock::time_point now) {
+  if (!trouble) {
+    const bool was_told = std::exchange(is_told, false);
+    const double lasted = since ? seconds_since(*since, now) : 0.0;
+    since.reset();
+    return was_told ? std::optional<double>(lasted) : std::nullopt;
+  }
+  if (!since) since = now;
+  if (is_told || now - *since < patience) return std::nullopt;
   // Whoever is started before the others waits for them: that is as it should be.
-  const auto level = !network && trouble->state == kWaiting ? spdlog::level::info : spdlog::level::warn;
-  spdlog::log(level, "{}: {}", trouble->state, trouble->reason);
-  trouble_is_logged_ = true;
+  const bool is_usual = patience.count() > 0 && trouble->state == kWaiting;
+  spdlog::log(is_usual ? spdlog::level::info : spdlog::level::warn, "{}: {}", trouble->state, trouble->reason);
+  is_told = true;
+  return std::nullopt;
 }
 
 void Bus::publish_status() {

@@ -36,7 +36,7 @@ Player::Player(Route route, const robot::JointVector& arm_at)
     : route_(std::move(route)),
       out_(route_.url),
       session_(bus::random_session()),
-      joints_(&out_, channels::kJointState.name, session_),
+      joints_(&sink_, channels::kJointState.name, session_),
       joint_state_(resting_arm(arm_at)) {
   if (!out_.good()) throw std::runtime_error("bus " + route_.url + ": cannot be joined");
 }

@@ -17,6 +17,7 @@
 #include "common/robot/robot_description.hpp"
 #include "tests/bench/latency/frame_ledger.hpp"
 #include "tests/bench/latency/route.hpp"
+#include "tests/bench/lcm_sink.hpp"
 
 namespace markservo::bench {
 
@@ -65,6 +66,7 @@ class Player {
 
   Route route_;
   lcm::LCM out_;  // only sends: a member that does not listen costs nothing
+  LcmSink sink_{&out_};
   std::int64_t session_;
   bus::Publisher<JointState> joints_;
   JointState joint_state_;

@@ -21,6 +21,7 @@
 #include "common/time/clocks.hpp"
 #include "tests/bench/bench_marks.hpp"
 #include "tests/bench/latency/recorded_frames.hpp"
+#include "tests/bench/lcm_sink.hpp"
 #include "tests/bench/resting_arm.hpp"
 #include "tests/scenes/stereo_scene.hpp"
 
@@ -57,10 +58,11 @@ int run(const Options& options) {
 
   lcm::LCM lcm(options.lcm_url);
   if (!lcm.good()) throw std::runtime_error("bus " + options.lcm_url + ": cannot be joined");
+  LcmSink sink(&lcm);
   const std::int64_t session = bus::random_session();
   const std::string prefix = options.prefix.empty() ? "" : options.prefix + "/";
-  bus::Publisher<StereoFrame> frame_channel(&lcm, prefix + channels::kStereoFrame.name, session);
-  bus::Publisher<JointState> joint_channel(&lcm, prefix + channels::kJointState.name, session);
+  bus::Publisher<StereoFrame> frame_channel(&sink, prefix + channels::kStereoFrame.name, session);
+  bus::Publisher<JointState> joint_channel(&sink, prefix + channels::kJointState.name, session);
   std::cout << "sending" << std::endl;
 
   const auto half = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(0.5 / options.rate));

@@ -17,7 +17,7 @@ const std::map<std::string, uint64_t> kFingerprints = {
     {"ChannelStatus", 0x36a6bbfbc332a94e},
     {"Covariance3", 0xcc5f85f810cc4dbf},
     {"DetectedMark", 0x4774cfb188113052},
-    {"JointCommand", 0x1ef4b81deb1f2241},
+    {"JointCommand", 0x6d68f59efaf61455},
     {"JointState", 0xf3038144e52da378},
     {"LocatedMark", 0xd818b2fc499c60e9},
     {"MarkDetection", 0xc5d4e8a564e68e26},

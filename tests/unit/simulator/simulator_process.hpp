@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -133,6 +134,7 @@ class Client {
     command.utime = command.frame_utime = frame.utime;
     command.frame_session = frame.session;
     command.frame_seq = frame.seq;
+    command.joint_session = frame.session;  // the simulator's own, as of all that it tells
     command.num_joints = static_cast<int32_t>(position.size());
     command.position = position;
     command.speed_limit.assign(position.size(), speed);
@@ -151,6 +153,12 @@ class Client {
     base_commands_.publish(command);
   }
 
+  // us, the world's time as last told: what a command must carry to be fresh.
+  int64_t newest_utime() {
+    until([&] { return !stop_states.empty(); });
+    return std::max(stop_states.back().utime, joints.empty() ? 0 : joints.back().utime);
+  }
+
   // STOP or its reset, until it is echoed.
   void request_stop(int8_t kind) {
     StopRequest request{};
@@ -158,6 +166,7 @@ class Client {
     request.request_id = ++last_id_;
     request.kind = kind;
     request.source = "test";
+    request.utime = newest_utime();
     stops_.publish(request);
     until([&] { return !stop_states.empty() && stop_states.back().request_id == request.request_id; });
   }
@@ -165,6 +174,7 @@ class Client {
   // SIM_CONTROL, until it is echoed; the echo.
   SimTruth control(int8_t kind, int64_t seed, const std::vector<std::pair<std::string, double>>& settings) {
     SimControl message{};
+    message.utime = newest_utime();
     message.session = controls_.session();
     message.control_id = ++last_id_;
     message.kind = kind;
@@ -184,6 +194,7 @@ class Client {
   // Publishes again what was sent before, as senders do until they are echoed.
   void repeat_control(int64_t control_id, int8_t kind, int64_t seed) {
     SimControl message{};
+    message.utime = newest_utime();
     message.session = controls_.session();
     message.control_id = control_id;
     message.kind = kind;
