@@ -64,6 +64,9 @@ Word MoverWatch::hear_report(const std::string& channel, const Stamp& stamp) {
 
 Heard MoverWatch::hear_stream(const std::string& channel, const Stamp& stamp) {
   SoleWriter& writer = streams_.try_emplace(channel, channel).first->second;
+  // An old recording, played to the bus, is nobody who writes now.
+  const bool stranger = writer.session() != 0 && stamp.session != writer.session();
+  if (stranger && now() != 0 && std::abs(seconds_between(stamp.utime, now())) > kRecent_s) return Heard::kLate;
   const Heard heard = writer.hear(stamp, now());
   if (heard == Heard::kSecond) guard_.raise(writer.words());
   return heard;

@@ -17,6 +17,7 @@
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
 #include "services/simulator/messages.hpp"
+#include "services/simulator/real_time_pace.hpp"
 #include "services/simulator/scene_model.hpp"
 
 namespace markservo::simulator {
@@ -26,7 +27,6 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr std::int64_t kJointStatePeriod_us = 10'000;
-constexpr milliseconds kSlipLimit{100};  // how far simulated time may fall behind before it slips
 
 std::vector<std::string> answering_channels() {
   std::vector<std::string> names = {channels::kJointCommand.name,  channels::kTaskState.name,
@@ -279,21 +279,11 @@ bool SimulatorNode::wait_for_answers(bus::Bus& bus, LockstepNode& wait, const Lo
 
 void SimulatorNode::run_real_time(bus::Bus& bus) {
   bus.set_state("real time");
-  SteadyTime start = steady_clock::now();
-  std::int64_t start_utime = simulation_->utime();
+  RealTimePace pace(simulation_->utime(), steady_clock::now());
   while (true) {
-    const SteadyTime now = steady_clock::now();
-    SteadyTime wanted = start + std::chrono::microseconds(simulation_->utime() - start_utime);
-    if (wanted < now - kSlipLimit) {
-      // Too slow a machine: time goes on from here.
-      wanted = start = now;
-      start_utime = simulation_->utime();
-    }
-    // What is told is never from the future, not even after a reset, when the world's time leaps by a second.
-    const auto early = std::chrono::ceil<milliseconds>(wanted - now);
-    if (!bus.poll(std::max(early, milliseconds(0)))) return;
+    if (!bus.poll(pace.wait(simulation_->utime(), steady_clock::now()))) return;
     tell_of_a_latch();
-    if (steady_clock::now() < start + std::chrono::microseconds(simulation_->utime() - start_utime)) continue;
+    if (pace.wait(simulation_->utime(), steady_clock::now()) > milliseconds(0)) continue;
     publish_base();
     if (world_is_new_ || simulation_->frame_due()) expose_frame();
     // In bites of one joint state, so that commands are taken in at 100 Hz.

@@ -37,8 +37,6 @@ class SimulatorNode : public bus::Service {
   void run(bus::Bus& bus) override;
 
  private:
-  using SteadyTime = std::chrono::steady_clock::time_point;
-
   void subscribe(bus::Bus& bus);
   void await_channel(bus::Bus& bus, const std::string& channel);
   void choose_encoding(const bus::BusUrls& urls);

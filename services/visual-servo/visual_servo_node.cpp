@@ -117,15 +117,15 @@ void VisualServoNode::on_goal(const ServoGoal& goal) {
 void VisualServoNode::on_pose(const TargetPose& pose) {
   const motion::Heard heard = arm_->hear_stream(channels::kTargetPose.name, stamp_of(pose));
   if (heard == motion::Heard::kLate) drop(motion::why_dropped(heard));
-  const motion::Heard frame = arm_->hear_stream(channels::kStereoFrame.name, frame_of(pose));
-  if (heard == motion::Heard::kAnew || frame == motion::Heard::kAnew) machine_->begin_pictures_anew(state_);
-  after_input();
   PoseSample sample = pose_sample(pose);
-  if (const auto why = motion::why_dropped(heard); !why.empty()) {
-    sample.doubt = "TARGET_POSE " + why;
-  } else if (const auto frames_why = motion::why_dropped(frame); !frames_why.empty()) {
-    sample.doubt = "STEREO_FRAME " + frames_why;
+  if (const auto why = motion::why_dropped(heard); !why.empty()) sample.doubt = "TARGET_POSE " + why;
+  if (heard == motion::Heard::kAnew) machine_->begin_pictures_anew(state_);
+  if (sample.doubt.empty()) {
+    const motion::Heard frame = arm_->hear_stream(channels::kStereoFrame.name, frame_of(pose));
+    if (const auto why = motion::why_dropped(frame); !why.empty()) sample.doubt = "STEREO_FRAME " + why;
+    if (frame == motion::Heard::kAnew) machine_->begin_pictures_anew(state_);
   }
+  after_input();
   const Output output = machine_->step(sample, state_);
   if (output.command) {
     JointCommand command = command_message(*output.command, pose);

@@ -1,6 +1,7 @@
 #include "tests/system/fault_campaign/timeline.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "common/bus/safe_decode.hpp"
 #include "common/time/seconds_between.hpp"
@@ -18,8 +19,17 @@ void decode(const Event& event, Stream<M>& stream) {
   stream.push_back({event.t, 0.0, event.foreign, std::move(decoded.message)});
 }
 
-void decode_events(const History& history, Timeline& timeline) {
+// When the trial began to take its stack down, us; far away where it did not say.
+std::int64_t end_of(const History& history) {
+  for (const auto& fact : history.facts) {
+    if (fact.at("kind") == "end") return fact.at("t");
+  }
+  return std::numeric_limits<std::int64_t>::max();
+}
+
+void decode_events(const History& history, std::int64_t end, Timeline& timeline) {
   for (const Event& event : history.events) {
+    if (event.t > end) break;
     timeline.traffic[event.channel].push_back({event.t, event.size, event.foreign});
     const std::string& channel = event.channel;
     if (channel == "SIM_TRUTH") decode(event, timeline.truth);
@@ -58,10 +68,11 @@ void take_fault(const nlohmann::json& fact, std::int64_t t, Timeline& timeline) 
   if (what == "end") fault.ended_at = t;
 }
 
-void take_facts(const History& history, Timeline& timeline) {
+void take_facts(const History& history, std::int64_t end, Timeline& timeline) {
   for (const auto& fact : history.facts) {
     const std::int64_t t = fact.at("t");
     const std::string kind = fact.at("kind");
+    if (t > end && kind != "recording") continue;
     if (kind == "process") {
       const std::string state = fact.at("state");
       timeline.processes[fact.at("service")].push_back(
@@ -74,7 +85,7 @@ void take_facts(const History& history, Timeline& timeline) {
     } else if (kind == "recording") {
       timeline.recordings.push_back(fact);
     }
-    timeline.ended_at = std::max(timeline.ended_at, t);
+    if (t <= end) timeline.ended_at = std::max(timeline.ended_at, t);
   }
 }
 
@@ -166,8 +177,9 @@ int Timeline::task_state_at(std::int64_t t) const {
 
 Timeline timeline_of(const History& history) {
   Timeline timeline;
-  decode_events(history, timeline);
-  take_facts(history, timeline);
+  const std::int64_t end = end_of(history);
+  decode_events(history, end, timeline);
+  take_facts(history, end, timeline);
   learn_sessions(timeline);
   keep_own(timeline, timeline.truth);
   keep_own(timeline, timeline.base_truth);

@@ -99,7 +99,7 @@ struct Timeline {
   std::string target;                     // of them
   std::vector<nlohmann::json> recordings;
   std::map<std::string, std::string> printed;
-  std::int64_t ended_at = 0;  // us, of the trial
+  std::int64_t ended_at = 0;  // us, of the trial: what was heard while its stack was taken down is left out
   WorldClock clock;
 
   // From the first strike on; the trial's end where nothing struck.

@@ -112,16 +112,17 @@ void Trial::end_all() {
   if (recorder_) {
     recorder_->signal(SIGINT);
     bench_.listen(15.0, [this] { return recorder_->ended(); });
-    nlohmann::json recording = scan_recording(bench_.folders().out + "/recording");
-    recording["kind"] = "recording";
-    recording["ended"] = end;
-    for (const Course& course : courses_) {
-      if (course.fault->ends_recording() && course.striking) recording["ended"] = std::min(end, course.strike_at);
-    }
-    bench_.fact(recording);
     recorder_.reset();
   }
   bench_.run("stack-stop", bench_.stack_command("stop"), 30.0);
+  // Reading takes long, and nothing is heard meanwhile: when there is no more to hear.
+  nlohmann::json recording = scan_recording(bench_.folders().out + "/recording");
+  recording["kind"] = "recording";
+  recording["ended"] = end;
+  for (const Course& course : courses_) {
+    if (course.fault->ends_recording() && course.striking) recording["ended"] = std::min(end, course.strike_at);
+  }
+  bench_.fact(recording);
   std::error_code error;
   const std::filesystem::path out(bench_.folders().out);
   for (const auto& entry : std::filesystem::directory_iterator(out / "services", error)) {

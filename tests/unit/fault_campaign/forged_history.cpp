@@ -244,6 +244,11 @@ ForgedHistory& ForgedHistory::fault(double struck, double ended, std::set<std::s
   return *this;
 }
 
+ForgedHistory& ForgedHistory::ended(double t) {
+  history_.facts.push_back({{"t", at(t)}, {"kind", "end"}});
+  return *this;
+}
+
 ForgedHistory& ForgedHistory::start(double t) {
   history_.facts.push_back({{"t", at(t)}, {"kind", "start"}, {"target", "red_book"}});
   return *this;

@@ -65,6 +65,7 @@ class ForgedHistory {
   ForgedHistory& process(double from, double to, const std::string& service, char state, double rss_mb = 50.0);
   ForgedHistory& fault(double struck, double ended, std::set<std::string> words);
   ForgedHistory& start(double t);
+  ForgedHistory& ended(double t);
   ForgedHistory& recorded(const std::vector<std::pair<double, double>>& spans, double until);
   ForgedHistory& printed(const std::string& name, const std::string& text);
 

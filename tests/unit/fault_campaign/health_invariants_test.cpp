@@ -42,6 +42,12 @@ TEST(DeafOrMuteIsNotReady, BreaksForAHungProcessThatIsLeftAlone) {
   EXPECT_FALSE(deaf_or_mute_is_not_ready(replaced.timeline(), forged_bars()).broken());
 }
 
+TEST(DeafOrMuteIsNotReady, CountsNothingWhileTheStackIsTakenDown) {
+  ForgedHistory forged;
+  forged.still(0.0, 20.0).says(1.0, 20.0, "mark-detector", "ready", "STEREO_FRAME", 0).ended(2.0);
+  EXPECT_EQ(deaf_or_mute_is_not_ready(forged.timeline(), forged_bars()).judged, 0);
+}
+
 // The stack was well, was struck from 8 to 10 s, and is told of until 28 s.
 ForgedHistory struck_stack(const std::string& after) {
   ForgedHistory forged;

@@ -80,6 +80,14 @@ TEST_F(Watched, AStrangersReportsAreNamedForASecond) {
   EXPECT_EQ(watch_.blocked(), "");
 }
 
+TEST_F(Watched, AnOldRecordingIsNoSecondWriter) {
+  run(200);
+  const std::int64_t now = watch_.now();
+  watch_.hear_stream("TARGET_POSE", {5, 1, now});
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {6, 1, now - 216'000'000}), Heard::kLate);
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 2, now + 1}), Heard::kTaken);
+}
+
 TEST_F(Watched, TwoPictureWritersBlockToo) {
   run(200);
   const std::int64_t now = watch_.now();
