@@ -24,7 +24,6 @@ namespace markservo::simulator {
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::steady_clock;
 
 constexpr std::int64_t kJointStatePeriod_us = 10'000;
 
@@ -279,11 +278,12 @@ bool SimulatorNode::wait_for_answers(bus::Bus& bus, LockstepNode& wait, const Lo
 
 void SimulatorNode::run_real_time(bus::Bus& bus) {
   bus.set_state("real time");
-  RealTimePace pace(simulation_->utime(), steady_clock::now());
+  RealTimePace pace(simulation_->utime(), steady_clock_us());
   while (true) {
-    if (!bus.poll(pace.wait(simulation_->utime(), steady_clock::now()))) return;
+    const std::int64_t wait_us = pace.wait(simulation_->utime(), steady_clock_us());
+    if (!bus.poll(std::chrono::ceil<milliseconds>(std::chrono::microseconds(wait_us)))) return;
     tell_of_a_latch();
-    if (pace.wait(simulation_->utime(), steady_clock::now()) > milliseconds(0)) continue;
+    if (pace.wait(simulation_->utime(), steady_clock_us()) > 0) continue;
     publish_base();
     if (world_is_new_ || simulation_->frame_due()) expose_frame();
     // In bites of one joint state, so that commands are taken in at 100 Hz.
