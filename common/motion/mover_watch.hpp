@@ -30,8 +30,8 @@ class MoverWatch {
   Word hear_stop_state(const Stamp& stamp, bool latched, const std::string& reason);
   // What the device itself reports: JOINT_STATE; WHEEL_ODOMETRY, SONAR_SCAN.
   Word hear_report(const std::string& channel, const Stamp& stamp);
-  // What others tell that its motion is decided by: TARGET_POSE, ROBOT_POSE. Of another writer than the present one only
-  // what is of now counts.
+  // What others tell that its motion is decided by: TARGET_POSE, ROBOT_POSE. Of another writer than the present one
+  // only what is of now counts.
   Heard hear_stream(const std::string& channel, const Stamp& stamp);
   // Two were found by other means.
   void raise(const std::string& why) { guard_.raise(why); }
