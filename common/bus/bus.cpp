@@ -70,7 +70,10 @@ Bus::Bus(BusParameters parameters) : parameters_(std::move(parameters)) {
   open();
   if (speaks) {
     status_publisher_ = std::make_unique<Publisher<ServiceStatus>>(advertise(channels::kServiceStatus));
-    every(kHeartbeat, [this] { publish_status(); });
+    every(kHeartbeat, [this] {
+      publish_status();
+      if (out_->is_open()) ++heartbeats_unheard_;
+    });
   }
   note_end_signals();
 }

@@ -159,7 +159,6 @@ std::optional<double> Bus::TroubleLog::follow(const std::optional<Word>& trouble
 void Bus::publish_status() {
   ServiceStatus message = status();
   status_publisher_->publish(message);
-  if (out_->is_open()) ++heartbeats_unheard_;
 }
 
 }  // namespace markservo::bus

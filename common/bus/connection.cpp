@@ -79,7 +79,13 @@ bool Connection::try_to_open() {
 bool Connection::mend(Time now) {
   if (is_open() || now - asked_ < (deaf_ ? kAskTheDeafAgain : kAskAgain)) return false;
   asked_ = now;
-  return try_to_open();
+  try {
+    return try_to_open();
+  } catch (const BusUnavailable& error) {
+    // The URL was right at the start: whatever it is now (a host without memory, a full table of files), it may pass.
+    trouble_ = error.what();
+    return false;
+  }
 }
 
 void Connection::lose(const std::string& why, Time now) {

@@ -24,6 +24,7 @@ class RawSubscription final : public Subscription {
     try {
       const bool used = handler_(data, size);
       note_accepted();
+      note_worked_on();
       if (!used) ++counters_.skipped;
     } catch (const std::exception& error) {
       refuse(error.what());

@@ -27,12 +27,14 @@ class SequenceMonitor {
   void observe(int64_t session, int64_t seq);
 
   int64_t lost() const { return lost_; }
+  // Until one alone has sent kForgotten messages.
   bool second_writer() const { return second_writer_; }
   // True if the newest message began another session than the one before it.
   bool session_changed() const { return session_changed_; }
 
  private:
   static constexpr std::size_t kRemembered = 16;  // earlier sessions; more restarts than that in a row prove nothing
+  static constexpr int kForgotten = 500;          // messages of one session in a row: 5 s of the quickest stream
   static constexpr int64_t kFar = 100;            // messages; a longer gap is believed one message later
 
   void follow(int64_t seq);
@@ -42,6 +44,7 @@ class SequenceMonitor {
   std::optional<int64_t> far_;  // a number far from seq_ that nothing has confirmed yet
   int64_t lost_ = 0;
   bool second_writer_ = false;
+  int in_a_row_ = 0;  // of the present session
   bool session_changed_ = false;
   std::deque<int64_t> earlier_;
 };

@@ -51,7 +51,7 @@ class Subscription {
 
   const std::string& channel() const { return channel_; }
   const ChannelCounters& counters() const { return counters_; }
-  // When a message last came and was accepted, by this host's steady clock; nothing before the first.
+  // When a message last came and could be worked on, by this host's steady clock; nothing before the first.
   std::optional<Time> accepted_at() const { return accepted_at_; }
   // When one last was refused, and why.
   std::optional<Time> refused_at() const { return refused_at_; }
@@ -59,10 +59,8 @@ class Subscription {
 
  protected:
   void note_arrival() { host_->note_traffic(); }
-  void note_accepted() {
-    ++counters_.received;
-    accepted_at_ = std::chrono::steady_clock::now();
-  }
+  void note_accepted() { ++counters_.received; }
+  void note_worked_on() { accepted_at_ = std::chrono::steady_clock::now(); }
   void fail_to_decode(const std::string& why) {
     ++counters_.decode_failures;
     note_refusal(why);
@@ -137,6 +135,7 @@ class TypedSubscription final : public Subscription {
     }
     try {
       handler_(message);
+      note_worked_on();
     } catch (const std::exception& error) {
       refuse(error.what());
     }

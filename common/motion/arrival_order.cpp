@@ -9,9 +9,8 @@ Arrival ArrivalOrder::judge(const Stamp& stamp) {
   const bool number_grew = stamp.seq > last_.seq;
   if (stamp.utime > last_.utime && !number_grew) return Arrival::kDouble;
   if (number_grew && stamp.utime >= last_.utime) return take(stamp, Arrival::kNext);
-  if (number_grew && seconds_between(stamp.utime, last_.utime) > parameters_.clock_step) {
-    return take(stamp, Arrival::kAnew);
-  }
+  const bool far_back = seconds_between(stamp.utime, last_.utime) > parameters_.clock_step;
+  if (far_back) return number_grew ? take(stamp, Arrival::kAnew) : Arrival::kLate;
   return out_of_turn(stamp);
 }
 

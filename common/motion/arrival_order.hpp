@@ -28,7 +28,7 @@ struct ArrivalParameters {
 // | above       | at or above the last | next                                  |
 // | above       | below, by up to 1 s  | late                                  |
 // | above       | below, by more       | anew                                  |
-// | not above   | not above            | late                                  |
+// | not above   | not above            | late; however many, when over 1 s back |
 // | not above   | above                | double                                |
 // | the third late one in a row, each above the one before in both | | anew |
 class ArrivalOrder {

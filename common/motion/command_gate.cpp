@@ -1,5 +1,7 @@
 #include "common/motion/command_gate.hpp"
 
+#include <algorithm>
+
 #include "common/time/seconds_between.hpp"
 
 namespace markservo::motion {
@@ -22,6 +24,8 @@ const char* describe(CommandVerdict verdict) {
       return "comes late or twice";
     case CommandVerdict::kWaits:
       return "is of a second writer, while the first still speaks";
+    case CommandVerdict::kLeads:
+      return "leads the shafts by more than 0.3 s at its speed limit and 0.1 rad";
     case CommandVerdict::kTwoWriters:
       return "is of one of two writers";
   }
@@ -30,6 +34,7 @@ const char* describe(CommandVerdict verdict) {
 
 CommandVerdict CommandGate::offer(const OfferedCommand& command, std::int64_t now, bool latched) {
   if (command.made_for != session_) return CommandVerdict::kOtherMover;
+  released_at_ = std::min(released_at_, now);  // a clock that was set back
   const double age = seconds_between(command.stamp.utime, now);
   // A time that cannot be tells nothing of who writes.
   if (-age > parameters_.ahead) return CommandVerdict::kAhead;
@@ -47,6 +52,7 @@ CommandVerdict CommandGate::offer(const OfferedCommand& command, std::int64_t no
   }
   if (latched) return CommandVerdict::kLatched;
   if (command.stamp.utime <= released_at_) return CommandVerdict::kBeforeReset;
+  if (command.leads) return CommandVerdict::kLeads;
   obeyed_at_ = now;
   return CommandVerdict::kObeyed;
 }
@@ -62,7 +68,8 @@ std::string CommandGate::obstacle(std::int64_t now) const {
 }
 
 bool CommandGate::silent(std::int64_t now) const {
-  return obeyed_at_ < 0 || seconds_between(obeyed_at_, now) > parameters_.life;
+  // A clock that was set back does not tell how long it has been silent.
+  return obeyed_at_ < 0 || now < obeyed_at_ || seconds_between(obeyed_at_, now) > parameters_.life;
 }
 
 }  // namespace markservo::motion

@@ -14,6 +14,7 @@
 // | released | answers a measurement ahead of the mover's time               | ahead                       |
 // | released | not above the writer's last seq, or of before its last time   | out of order                |
 // | released | of another writer while the first still speaks                | waits                       |
+// | released | too far ahead of the shafts                                   | leads                       |
 // | released | any other                                                     | obeyed                      |
 
 #include <cstdint>
@@ -27,6 +28,7 @@ namespace markservo::motion {
 struct OfferedCommand {
   Stamp stamp;                // its writer's session and seq; utime of the measurement that it answers
   std::int64_t made_for = 0;  // session of the mover's report that it was made from
+  bool leads = false;         // leading_joint() found one: it is too far ahead of the shafts to be meant for them
 };
 
 enum class CommandVerdict {
@@ -37,6 +39,7 @@ enum class CommandVerdict {
   kStale,        // answers what was measured more than 0.3 s ago
   kAhead,        // answers what is not measured yet
   kOutOfOrder,   // comes late or twice
+  kLeads,        // too far ahead of the shafts
   kWaits,        // of a second writer, while the first still speaks
   kTwoWriters,   // the first spoke again: the mover must latch
 };

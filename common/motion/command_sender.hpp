@@ -4,6 +4,7 @@
 // carries the newest STOP_STATE's, once every stop device is heard, START and HOME the newest TASK_STATE's; each repeat
 // is stamped anew. STOP and ABORT are obeyed whatever they carry, and wait for nobody.
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -20,7 +21,9 @@ class CommandSender {
   // `stop_devices` as in robot.yaml.
   explicit CommandSender(std::vector<std::string> stop_devices) : stop_devices_(std::move(stop_devices)) {}
 
+  // Of others than the stop devices nothing is taken.
   void hear_stop_state(const std::string& device, std::int64_t utime) {
+    if (std::find(stop_devices_.begin(), stop_devices_.end(), device) == stop_devices_.end()) return;
     heard_.insert(device);
     stop_state_utime_ = utime;
   }

@@ -9,6 +9,7 @@
 // | stopping | latched, after STOP was sent | stopped                                |
 // | stopped  | released, one alone          | quiet                                  |
 // | stopped  | released, two still speak    | stopping, under a new id               |
+// | any but quiet | another is the device, and released | stopping, under a new id    |
 
 #include <cstdint>
 #include <optional>
@@ -28,6 +29,11 @@ class ConflictGuard {
 
   // Two claim to be one; `why` names channel and sessions.
   void raise(const std::string& why);
+
+  // Another one is the device from now on, and not latched: it may never have heard the STOP.
+  void ask_again() {
+    if (active()) ask();
+  }
 
   // The device's STOP_STATE; `alone`: on every watched channel one session alone is heard. True when the conflict ends.
   bool hear_stop_state(bool latched, bool alone);

@@ -8,7 +8,8 @@
 namespace markservo::motion {
 namespace {
 
-constexpr std::size_t kFormers = 16;  // earlier sessions; more restarts than that in a row prove nothing
+constexpr std::size_t kFormers = 16;            // earlier sessions; more restarts than that in a row prove nothing
+constexpr std::int64_t kUnderWay_us = 100'000;  // a bridge or a bad link delivers no later
 const char* const kStopState = "STOP_STATE";
 
 }  // namespace
@@ -33,7 +34,7 @@ Word DeviceTrust::hear_stop_state(const Stamp& stamp, bool latched) {
   const Word word = not_own(kStopState, stamp, true);
   if (word != Word::kReplaced) return word;
   if (!latched) return conflict_with(kStopState, stamp.session);
-  formers_.push_back({session_, stamp.utime});
+  formers_.push_back({session_, newest_utime_});
   if (formers_.size() > kFormers) formers_.pop_front();
   become(stamp);
   judge_own(kStopState, stamp);
@@ -73,7 +74,7 @@ Word DeviceTrust::not_own(const std::string& channel, const Stamp& stamp, bool c
                                    [&stamp](const Former& one) { return one.session == stamp.session; });
   if (former != formers_.end()) {
     // What was under way when it was replaced may arrive after its successor's first word.
-    if (stamp.utime <= former->successor_utime) return Word::kLate;
+    if (stamp.utime <= former->newest_utime + kUnderWay_us) return Word::kLate;
     hear_voice(stamp);
     return conflict_with(channel, stamp.session);
   }

@@ -3,17 +3,17 @@
 // Whose word counts for a thing that moves. It reports (JOINT_STATE; WHEEL_ODOMETRY and SONAR_SCAN) and says how its
 // stop stands (STOP_STATE), all with one session. T, the session of its newest STOP_STATE, is the one to believe.
 //
-// | state     | heard                                               | then                                      |
-// | --------- | --------------------------------------------------- | ----------------------------------------- |
-// | unknown   | a report                                            | first heard: believed, and only held      |
-// | unknown, first heard | STOP_STATE of any session                | trusted, T is that session                |
-// | trusted   | T's STOP_STATE and reports                          | taken                                     |
-// | trusted   | a report of a session that never was T              | foreign: dropped and counted              |
-// | trusted   | STOP_STATE of a new session, latched: movers come up so | T is that session; what is known of the
-// former no longer holds | | trusted   | STOP_STATE of a new session, released               | conflict | | trusted   |
-// STOP_STATE or report of a session that was T        | conflict: it still lives                  | | trusted   | T
-// with numbers that another used up                 | conflict: two with one session            | | conflict  |
-// STOP_STATE of a session that spoke alone for 1 s    | T is that session; the conflict stays until settle() |
+// | state    | heard                                                  | then                                         |
+// | -------- | ------------------------------------------------------ | -------------------------------------------- |
+// | unknown  | a report                                               | the first heard is believed, and only held   |
+// | unknown  | STOP_STATE                                             | trusted: T is its session                    |
+// | trusted  | T's STOP_STATE and reports                             | taken                                        |
+// | trusted  | a report of a session that never was T                 | foreign: dropped and counted                 |
+// | trusted  | STOP_STATE of a new session, latched as movers come up | replaced: T is that session                  |
+// | trusted  | STOP_STATE of a new session, released                  | conflict                                     |
+// | trusted  | STOP_STATE or report of a session that was T           | conflict: it still lives                     |
+// | trusted  | T under a number that it used up, of a later time      | conflict: two with one session               |
+// | conflict | STOP_STATE of a session that spoke alone for 1 s       | T is that session; a conflict until settle() |
 //
 // There is no clock in it: the same messages give the same answers, live and from a log.
 
@@ -75,7 +75,7 @@ class DeviceTrust {
   };
   struct Former {
     std::int64_t session;
-    std::int64_t successor_utime;  // us, of the first word of who came after it
+    std::int64_t newest_utime;  // us, of its last word while it was T
   };
 
   Word judge_own(const std::string& channel, const Stamp& stamp);

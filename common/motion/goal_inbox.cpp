@@ -9,6 +9,7 @@
 namespace markservo::motion {
 namespace {
 
+constexpr double kAlone_s = 1.0;      // s without another's word after which one sends alone
 constexpr std::size_t kSenders = 64;  // as many as a hostile one may make us remember
 
 // Whether a repetition at `utime` tells more of the goal's age than the one at `known`. The later one does, unless it
@@ -31,7 +32,9 @@ GoalHeard GoalInbox::hear(const GoalStamp& goal, std::int64_t now, double age, b
   if (!has_floor(goal, moment, age)) return GoalHeard::kSecond;
   // Both spoke before either had repeated itself for long: nobody knows who was first.
   const bool unknown_first = holder_is_first_ && second_spoke && within(age, holder_since_, moment);
-  if (unknown_first) {
+  // Nor after a reset, until one has been silent for long enough.
+  contested_ = unknown_first || (contested_ && second_spoke && within(kAlone_s, second_->heard_at, moment));
+  if (contested_) {
     end();
     return GoalHeard::kContested;
   }

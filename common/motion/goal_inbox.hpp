@@ -14,8 +14,7 @@
 // | latched | any other                                                 | ended at once                  |
 // | follows | the id that is followed                                   | again: renewed                 |
 // | any     | any other                                                 | new: followed                  |
-// | any     | the first sender again after a second, when neither was known to be first | contested: the caller stops
-// all |
+// | any     | the first again after a second, and neither is known to be the first | contested: all stops |
 
 #include <cstdint>
 #include <deque>
@@ -78,6 +77,7 @@ class GoalInbox {
   std::int64_t holder_since_ = 0;     // us, of now
   std::int64_t holder_heard_at_ = 0;  // us, of now
   bool holder_is_first_ = false;      // nobody had the floor before it
+  bool contested_ = false;
   std::optional<Second> second_;
 };
 

@@ -48,6 +48,10 @@ Word MoverWatch::hear_stop_state(const Stamp& stamp, bool latched, const std::st
   if (!why_dropped(word).empty()) return word;
   latched_ = latched;
   stop_reason_ = reason;
+  if (word != Word::kTaken) {
+    for (auto& [channel, writer] : streams_) writer.forget_order();
+  }
+  if (word == Word::kReplaced && !latched) guard_.ask_again();
   if (guard_.hear_stop_state(latched, one_alone())) {
     trust_.settle();
     for (auto& [channel, writer] : streams_) writer.settle();
@@ -59,13 +63,16 @@ Word MoverWatch::hear_report(const std::string& channel, const Stamp& stamp) {
   const Word word = trust_.hear_report(channel, stamp);
   if (word == Word::kConflict) guard_.raise(trust_.conflict());
   if (word == Word::kForeign) stranger_at_ = now();
+  if (word == Word::kAnew) {
+    for (auto& [other, writer] : streams_) writer.forget_order();
+  }
   return word;
 }
 
 Heard MoverWatch::hear_stream(const std::string& channel, const Stamp& stamp) {
   SoleWriter& writer = streams_.try_emplace(channel, channel).first->second;
   // An old recording, played to the bus, is nobody who writes now.
-  const bool stranger = writer.session() != 0 && stamp.session != writer.session();
+  const bool stranger = stamp.session != writer.session();
   if (stranger && now() != 0 && std::abs(seconds_between(stamp.utime, now())) > kRecent_s) return Heard::kLate;
   const Heard heard = writer.hear(stamp, now());
   if (heard == Heard::kSecond) guard_.raise(writer.words());

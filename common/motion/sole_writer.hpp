@@ -47,6 +47,8 @@ class SoleWriter {
   std::string words() const { return two_write(channel_, session_, other()); }
   // What was said beside the writer is settled; nothing of it is held against anyone.
   void settle() { other_.reset(); }
+  // All times are of another clock from now on.
+  void forget_order() { order_.forget(); }
 
  private:
   struct Other {

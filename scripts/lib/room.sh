@@ -3,14 +3,16 @@
 # project.sh and, for require_room, launch.sh.
 
 # who_is_in_the_way CENSUS URL OPTION...: one line for each who writes already what one of the services alone may write;
-# nothing where there is room, or where nobody can listen (the services say why). OPTION as of bus-census: --room-for
+# nothing where there is room, or where there is no bus (the services say why). OPTION as of bus-census: --room-for
 # SERVICE,... [--robot NAME] [--own PID,...].
 who_is_in_the_way() {
   local status=0 lines
   lines=$("$1" --lcm-url "$2" --for 1.2 "${@:3}" 2>/dev/null) || status=$?
   case $status in
     1) printf '%s\n' "${lines:-$1 failed}" ;;
+    0 | 3) ;;
     2) printf '%s\n' "$1 is not of this version: scripts/build makes it" ;;
+    *) printf '%s\n' "nobody can tell who writes there: $1 ended with $status" ;;
   esac
 }
 

@@ -103,7 +103,8 @@ void BaseNavigatorNode::start(bus::Bus& bus) {
 void BaseNavigatorNode::on_stop(const StopState& stop) {
   if (stop.device != stop_device_) return;
   const motion::Word word = base_->hear_stop_state(stamp_of(stop), stop.latched != 0, stop.reason);
-  if (word == motion::Word::kReplaced) navigator_->begin_anew("the base began anew", state_);
+  if (word == motion::Word::kReplaced) begin_anew("the base began anew");
+  if (word == motion::Word::kAnew) begin_anew("the clock of STOP_STATE was set back");
   const std::string why = motion::why_dropped(word);
   if (why.empty()) navigator_->observe_stop(*base_->latched(), base_->stop_reason(), state_);
   after_input();
@@ -117,13 +118,15 @@ void BaseNavigatorNode::on_goal(const BaseGoal& goal) {
   if (heard == motion::GoalHeard::kNew) drop(state_.refusal);
 }
 
+void BaseNavigatorNode::begin_anew(const std::string& why) {
+  navigator_->begin_anew(why, state_);
+  pacing_ = AnswerPacing();
+  pose_.reset();
+}
+
 motion::Word BaseNavigatorNode::hear_report(const char* channel, const motion::Stamp& stamp) {
   const motion::Word word = base_->hear_report(channel, stamp);
-  if (word == motion::Word::kAnew) {
-    navigator_->begin_anew(std::string("the clock of ") + channel + " was set back", state_);
-    pacing_ = AnswerPacing();
-    pose_.reset();
-  }
+  if (word == motion::Word::kAnew) begin_anew(std::string("the clock of ") + channel + " was set back");
   after_input();
   drop(motion::why_dropped(word));
   return word;

@@ -37,6 +37,7 @@ class BaseNavigatorNode : public bus::Service {
   void on_odometry(const WheelOdometry& odometry);
   void on_pose(const RobotPose& pose);
   motion::Word hear_report(const char* channel, const motion::Stamp& stamp);
+  void begin_anew(const std::string& why);
   void after_input();
   std::string notice() const;
   void answer(const OdometryId& odometry);

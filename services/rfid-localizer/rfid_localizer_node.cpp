@@ -84,7 +84,11 @@ void RfidLocalizerNode::start(bus::Bus& bus) {
   bus.on_each(channels::kWheelOdometry, [this](const WheelOdometry& message) {
     const motion::Word word = base_->hear_report(channels::kWheelOdometry.name, messages::stamp_of(message));
     messages::drop(motion::why_dropped(word));
-    if (word == motion::Word::kAnew) begin();  // its clock was set back: all that is known has times to come
+    if (word == motion::Word::kAnew) {
+      // Its clock was set back: all that is known has times to come, and the heading at the start is past.
+      parameters_.start_heading.reset();
+      begin();
+    }
     localizer_->observe(encoder_reading(message));
     publish(message.utime, message.session, message.seq);
   });

@@ -16,6 +16,12 @@ namespace {
 const std::int64_t kStep_us = std::llround(kTimeStep * 1e6);
 constexpr std::int64_t kResetPause_us = 1'000'000;
 
+robot::JointVector joint_speeds(const robot::ArmDescription& arm) {
+  robot::JointVector speeds;
+  for (int i = 0; i < robot::kNumJoints; ++i) speeds[i] = arm.joints[static_cast<std::size_t>(i)].speed;
+  return speeds;
+}
+
 Settings with(Settings settings, const Assignments& changes) {
   for (const auto& [name, value] : changes) set_value(settings, name, value);
   return settings;
@@ -104,14 +110,18 @@ void Simulation::release() {
 
 CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::int64_t frame_seq,
                                   const ArmCommand& command) {
-  CommandAnswer answer{gate_.offer(offered, utime(), latch_.latched()), std::nullopt};
+  // A command's own limit may be any number; the servo's speed is what it moves by.
+  const robot::JointVector speed = command.speed_limit.cwiseMin(joint_speeds(*robot_.arm));
+  CommandAnswer answer{motion::CommandVerdict::kObeyed,
+                       motion::leading_joint(command.position, speed, world_.arm().position)};
+  motion::OfferedCommand judged = offered;
+  judged.leads = answer.leads.has_value();
+  answer.verdict = gate_.offer(judged, utime(), latch_.latched());
   if (answer.verdict == motion::CommandVerdict::kTwoWriters) {
     latch_.latch(gate_.two_writers());
     freeze();
   }
   if (answer.verdict != motion::CommandVerdict::kObeyed) return answer;
-  answer.leads = motion::leading_joint(command.position, command.speed_limit, world_.arm().position);
-  if (answer.leads) return answer;
   if (timing_ == Timing::kLockstep) {
     const std::int64_t answered_number = frame_number_ - std::max<std::int64_t>(0, first_seq_ - frame_seq);
     delayed_.add(answered_number + std::llround(settings_.servo_delay_frames), command);

@@ -30,11 +30,10 @@ enum class Timing {
   kLockstep,  // commands take effect servo.delay_frames after the frame that they answer
 };
 
-// What became of a command: what its gate said, or that it leads the shafts too far.
+// What became of a command.
 struct CommandAnswer {
   motion::CommandVerdict verdict = motion::CommandVerdict::kLatched;
-  std::optional<std::size_t> leads;  // the first joint whose command leads too far: then it is not obeyed
-  bool obeyed() const { return verdict == motion::CommandVerdict::kObeyed && !leads; }
+  std::optional<std::size_t> leads;  // the first joint whose command leads the shaft too far, where one does
 };
 
 // Names and values as SIM_CONTROL carries them.

@@ -172,7 +172,7 @@ void SimulatorNode::on_joint_command(const JointCommand& message) {
   barrier_.note(channels::kJointCommand.name, message.frame_session, message.frame_seq);
   tell_of_a_latch();
   const std::string command = "command for frame " + std::to_string(message.frame_seq) + " ";
-  if (answer.leads) {
+  if (answer.verdict == motion::CommandVerdict::kLeads) {
     messages::drop(command + "leads joint " + robot_.arm->joints[*answer.leads].name +
                    " by more than 0.3 s at its speed limit and 0.1 rad");
   }
@@ -359,6 +359,8 @@ void SimulatorNode::publish_joint_state() {
 }
 
 void SimulatorNode::publish_stop_states() {
+  // After a reset the world's time is ahead until the second that it leapt by has passed; then all is told.
+  if (world_is_new_ && !lockstep_) return;
   StopState message{};
   message.utime = simulation_->utime();
   const motion::StopLatch& latch = simulation_->latch();
@@ -378,7 +380,7 @@ void SimulatorNode::publish_stop_states() {
 
 // Two writers of its commands latch the world by themselves.
 void SimulatorNode::tell_of_a_latch() {
-  if (simulation_->latch().latched() == told_latched_) return;
+  if (simulation_->latch().latched() == told_latched_ || (world_is_new_ && !lockstep_)) return;
   spdlog::warn("STOP latched: {}", simulation_->latch().reason());
   publish_stop_states();
 }

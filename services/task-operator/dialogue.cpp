@@ -65,7 +65,8 @@ Step Dialogue::step(double now) {
   if (!began_) began_ = now;
   Step step;
   step.lines = std::exchange(lines_, {});
-  if (!two_.empty() && action_ != Action::kStop) {
+  const bool must_be_obeyed = action_ == Action::kStop || action_ == Action::kAbort;
+  if (!two_.empty() && !must_be_obeyed) {
     step.ending = Ending{kExitRefused, two_ + ": end one of them, then scripts/task reset"};
   } else if (for_devices()) {
     step.ending = devices_ending();

@@ -101,8 +101,8 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     status.reason = "no JOINT_STATE yet";
     return output;
   }
-  if (!state.commanded || state.adopt_joints) adopt_joints(state);
   const std::string stale = why_stale(pose, state);
+  if (!state.commanded || (state.adopt_joints && stale.empty())) adopt_joints(state);
   // One picture with an impossible time must not make all that follow look old.
   if (stale.empty()) advance_time(pose, state);
 

@@ -90,6 +90,7 @@ void VisualServoNode::on_stop(const StopState& stop) {
     if (strangers_ && strangers_->session == stop.session) machine_->observe(*strangers_, state_);
     strangers_.reset();
   }
+  if (word == motion::Word::kAnew) machine_->begin_anew("the clock of STOP_STATE was set back", state_);
   const std::string why = motion::why_dropped(word);
   if (why.empty()) machine_->observe_stop(*arm_->latched(), arm_->stop_reason(), state_);
   after_input();

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kPeriod(10);
 constexpr double kPeriod_s = 0.01;
+constexpr double kServoSpeed = 2.0;  // rad/s
+constexpr double kJointLimit = 2.0;  // rad, to each side
 
 }  // namespace
 
@@ -27,7 +29,14 @@ void ArmDriver::on_command(const JointCommand& command) {
   if (command.num_joints != kJoints) {
     messages::drop("num_joints is " + std::to_string(command.num_joints) + "; allowed: " + std::to_string(kJoints));
   }
-  const motion::OfferedCommand offered{{command.session, command.seq, command.frame_utime}, command.joint_session};
+  // What a command asks for may be any number; what the arm can do is the driver's to know.
+  Joints speed{};
+  for (std::size_t joint = 0; joint < kJoints; ++joint)
+    speed[joint] = std::min(command.speed_limit[joint], kServoSpeed);
+  const std::vector<double> shaft(position_.begin(), position_.end());
+  const std::vector<double> speeds(speed.begin(), speed.end());
+  motion::OfferedCommand offered{{command.session, command.seq, command.frame_utime}, command.joint_session};
+  offered.leads = motion::leading_joint(command.position, speeds, shaft).has_value();
   const motion::CommandVerdict verdict = gate_->offer(offered, now_(), latch_.latched());
   if (verdict == motion::CommandVerdict::kTwoWriters) {
     latch_.latch(gate_->two_writers());
@@ -36,12 +45,10 @@ void ArmDriver::on_command(const JointCommand& command) {
   }
   if (verdict == motion::CommandVerdict::kLatched) return;  // commands go on while the arm is stopped
   if (verdict != motion::CommandVerdict::kObeyed) messages::drop(std::string("command ") + describe(verdict));
-  const std::vector<double> shaft(position_.begin(), position_.end());
-  if (const auto joint = motion::leading_joint(command.position, command.speed_limit, shaft)) {
-    messages::drop("command leads joint " + std::to_string(*joint) + " too far");
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
+    wanted_[joint] = std::clamp(command.position[joint], -kJointLimit, kJointLimit);
   }
-  std::copy_n(command.position.begin(), kJoints, wanted_.begin());
-  std::copy_n(command.speed_limit.begin(), kJoints, speed_limit_.begin());
+  speed_limit_ = speed;
 }
 
 void ArmDriver::on_stop(const StopRequest& request) {

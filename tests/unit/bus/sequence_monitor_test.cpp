@@ -37,5 +37,17 @@ TEST(SequenceMonitor, CountsNoMoreThanCanBe) {
   EXPECT_LE(lost({0, kMost - 1, kMost}), kMaxLost);
 }
 
+TEST(SequenceMonitor, ForgetsASecondWriterOnceOneAloneHasSentLongEnough) {
+  SequenceMonitor monitor;
+  monitor.observe(1, 1);
+  monitor.observe(2, 1);
+  monitor.observe(1, 2);
+  EXPECT_TRUE(monitor.second_writer());
+  for (int seq = 3; seq < 502; ++seq) monitor.observe(1, seq);
+  EXPECT_TRUE(monitor.second_writer());
+  monitor.observe(1, 502);
+  EXPECT_FALSE(monitor.second_writer());
+}
+
 }  // namespace
 }  // namespace markservo::bus

@@ -64,6 +64,13 @@ TEST(ArrivalOrder, ThreeInARowThatDoNotGrowBeginNothing) {
   EXPECT_EQ(order.judge(at(7, 70)), Arrival::kLate);
 }
 
+TEST(ArrivalOrder, AnOldRecordingOfTheSameWriterBeginsNothing) {
+  ArrivalOrder order;
+  for (int i = 500; i <= 510; ++i) order.judge(at(i, 10 * i));
+  for (int i = 1; i < 100; ++i) EXPECT_EQ(order.judge(at(i, 10 * i)), Arrival::kLate);
+  EXPECT_EQ(order.judge(at(511, 5110)), Arrival::kNext);
+}
+
 TEST(ArrivalOrder, AClockSetBackByMoreThanASecondBeginsAnewAtOnce) {
   EXPECT_EQ(after_ten().judge(at(11, 110 - 3'600'000)), Arrival::kAnew);
 }

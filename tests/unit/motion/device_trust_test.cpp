@@ -92,7 +92,7 @@ TEST_F(Trust, AReplacedOneThatSpeaksAgainIsAConflict) {
 TEST_F(Trust, WhatWasUnderWayWhenItWasReplacedIsNoConflict) {
   trust_the_arm();
   other_.stop_state(trust_, 1.0, true);
-  EXPECT_EQ(arm_.report(trust_, 0.99), Word::kLate);
+  EXPECT_EQ(arm_.report(trust_, 0.25), Word::kLate);
   EXPECT_EQ(trust_.conflict(), "");
 }
 

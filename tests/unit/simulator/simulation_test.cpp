@@ -113,7 +113,7 @@ TEST(Simulation, ACommandThatLeadsTheShaftsTooFarIsNotObeyed) {
   const robot::JointVector far = test_robot().arm->home + robot::JointVector(0.0, 0.0, 0.5);
   const CommandAnswer answer =
       simulation.command({{kWriter, 1, simulation.utime()}, kSession}, 1, posture(far, 0.05, 1.0));
-  EXPECT_FALSE(answer.obeyed());
+  EXPECT_EQ(answer.verdict, CommandVerdict::kLeads);
   EXPECT_EQ(answer.leads, 2U);
   next_frame(simulation, 2);
   EXPECT_EQ(distance_from_home(simulation), 0.0);
