@@ -136,7 +136,7 @@ StopReport TaskManagerNode::stop_report() const {
   };
   for (const std::string& device : robot_.stop_devices) {
     const auto told = stop_state_utimes_.find(device);
-    if (told == stop_state_utimes_.end() || std::abs(input_.utime - told->second) > kSilence_us) {
+    if (told == stop_state_utimes_.end() || std::abs(input_.now - told->second) > kSilence_us) {
       report.known = false;
       report.silent += (report.silent.empty() ? "" : ", ") + device;
     }
