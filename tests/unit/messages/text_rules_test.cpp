@@ -20,7 +20,6 @@
 #include <markservo/TargetPose.hpp>
 #include <markservo/TaskCommand.hpp>
 #include <markservo/TaskState.hpp>
-#include <regex>
 #include <string>
 
 #include "common/text/text.hpp"
@@ -61,7 +60,8 @@ int declared_texts() {
     if (file.path().extension() != ".lcm") continue;
     std::ifstream lines(file.path());
     for (std::string line; std::getline(lines, line);) {
-      if (std::regex_search(line, std::regex("^ *string "))) ++count;
+      const std::size_t word = line.find_first_not_of(' ');
+      if (word != std::string::npos && line.compare(word, 7, "string ") == 0) ++count;
     }
   }
   return count;
