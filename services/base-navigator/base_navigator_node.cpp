@@ -67,7 +67,7 @@ void BaseNavigatorNode::add_motion_options(CLI::App& app) {
 
 void BaseNavigatorNode::configure(const std::string& robot_file) {
   const robot::RobotDescription description = robot::load_robot_description(robot_file);
-  robot::require_stop_device(description, stop_device_, robot_file);
+  robot::require_stop_device(description, "--stop-device", stop_device_, robot_file);
   const ArrivalParameters& arrival = parameters_.manoeuvre.arrival;
   if (arrival.coarse_position < arrival.position || arrival.coarse_heading < arrival.heading) {
     throw ConfigurationError("--coarse-tolerance, --coarse-heading-tolerance: allowed: no less than --tolerance (" +

@@ -58,7 +58,7 @@ void VisualServoNode::add_options(CLI::App& app) {
 
 void VisualServoNode::configure(const std::string& robot_file) {
   const robot::RobotDescription description = robot::load_robot_description(robot_file);
-  robot::require_stop_device(description, stop_device_, robot_file);
+  robot::require_stop_device(description, "--stop-device", stop_device_, robot_file);
   parameters_.law = law_ == "paper" ? Law::kPaper : Law::kResolvedRate;
   try {
     machine_ = std::make_unique<ServoStateMachine>(description, parameters_);
