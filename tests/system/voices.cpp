@@ -1,5 +1,6 @@
 // What a robot does when others speak in its bus; for tests.
-//   voices two-senders   two programs each give the arm and the base goals of their own, at 5 Hz; the second begins some
+//   voices two-senders   two programs each give the arm and the base goals of their own, at 5 Hz; the second begins
+//   some
 //                        time after the first. Says how often what moves changed from one to the other, and when the
 //                        second was named. The robot must be released
 //   voices rest          listens; says whether the simulator that speaks first was released and how far it moved
@@ -41,7 +42,6 @@ constexpr milliseconds kRepeat(200);
 constexpr milliseconds kListen(20);
 constexpr double kApart_rad = 0.1;  // how far from the start each one wants the arm
 constexpr double kApart_m = 0.2;    // likewise the base
-
 
 std::string url = bus::kDefaultUrl;
 
