@@ -23,13 +23,30 @@ bool within(double age, std::int64_t from, std::int64_t to) {
   return std::abs(seconds_between(from, to)) <= age;
 }
 
+// `id` of `session` was heard: what is not above it is nothing new.
+template <class Senders>
+void remember(std::int64_t session, std::int64_t id, Senders& senders) {
+  const auto known = std::find_if(senders.begin(), senders.end(),
+                                  [session](const auto& sender) { return sender.session == session; });
+  if (known != senders.end()) {
+    id = std::max(id, known->last_id);
+    senders.erase(known);
+  }
+  senders.push_back({session, id});
+  if (senders.size() > kSenders) senders.pop_front();
+}
+
 }  // namespace
 
 GoalHeard GoalInbox::hear(const GoalStamp& goal, std::int64_t now, double age, bool latched) {
+  if (goal.session == 0) return GoalHeard::kEnded;
   if (now != 0 && !within(age, goal.utime, now)) return GoalHeard::kStale;
   const std::int64_t moment = now != 0 ? now : goal.utime;
   const bool second_spoke = second_.has_value() && second_->session != goal.session;
-  if (!has_floor(goal, moment, age)) return GoalHeard::kSecond;
+  if (!has_floor(goal, moment, age)) {
+    remember(goal.session, goal.id, ignored_);
+    return GoalHeard::kSecond;
+  }
   // Both spoke before either had repeated itself for long: nobody knows who was first.
   const bool unknown_first = holder_is_first_ && second_spoke && within(age, holder_since_, moment);
   // Nor after a reset, until one has been silent for long enough.
@@ -43,7 +60,7 @@ GoalHeard GoalInbox::hear(const GoalStamp& goal, std::int64_t now, double age, b
     return GoalHeard::kAgain;
   }
   if (heard_before(goal)) return GoalHeard::kEnded;
-  remember(goal);
+  remember(goal.session, goal.id, senders_);
   if (latched) return GoalHeard::kEnded;
   goal_ = goal;
   return GoalHeard::kNew;
@@ -56,6 +73,7 @@ bool GoalInbox::has_floor(const GoalStamp& goal, std::int64_t now, double age) {
       second_ = Second{goal.session, now};
       return false;
     }
+    if (goal_ && goal_->session != goal.session) end();
     holder_is_first_ = holder_ == 0;
     holder_ = goal.session;
     holder_since_ = now;
@@ -65,18 +83,11 @@ bool GoalInbox::has_floor(const GoalStamp& goal, std::int64_t now, double age) {
   return true;
 }
 
-void GoalInbox::remember(const GoalStamp& goal) {
-  const auto known = std::find_if(senders_.begin(), senders_.end(),
-                                  [&goal](const Sender& sender) { return sender.session == goal.session; });
-  if (known != senders_.end()) senders_.erase(known);
-  senders_.push_back({goal.session, goal.id});
-  if (senders_.size() > kSenders) senders_.pop_front();
-}
-
 bool GoalInbox::heard_before(const GoalStamp& goal) const {
-  return std::any_of(senders_.begin(), senders_.end(), [&goal](const Sender& sender) {
+  const auto known = [&goal](const Sender& sender) {
     return sender.session == goal.session && goal.id <= sender.last_id;
-  });
+  };
+  return std::any_of(senders_.begin(), senders_.end(), known) || std::any_of(ignored_.begin(), ignored_.end(), known);
 }
 
 bool GoalInbox::end_unless_fresh(std::int64_t now, double age) {

@@ -4,10 +4,13 @@
 //
 // Goals are repeated at 5 Hz. Each sender's are told apart by growing ids, and a goal is new once: what a later goal, a
 // stop or another beginning has ended stays ended, though it is repeated. The first sender keeps the floor while it
-// repeats; a second one is named and ignored, and may take the floor once the first has been silent for goal_age.
+// repeats; a second one is named and ignored, and may take the floor with a new goal once the first has been silent for
+// goal_age: what was ignored does not begin by itself when somebody else falls silent. Who takes the floor, be it with
+// nothing new, ends what the one before wanted.
 //
 // | state   | heard                                                     | then                           |
 // | ------- | --------------------------------------------------------- | ------------------------------ |
+// | any     | session 0, of no sender                                   | ended                          |
 // | any     | a goal too old or too far ahead                           | stale; it may come again fresh |
 // | any     | of another sender while the floor's holder repeats        | second                         |
 // | any     | an id that was replaced or ended                          | ended                          |
@@ -68,11 +71,11 @@ class GoalInbox {
 
   bool has_floor(const GoalStamp& goal, std::int64_t now, double age);
   bool heard_before(const GoalStamp& goal) const;
-  void remember(const GoalStamp& goal);
 
   std::string channel_;
   std::optional<GoalStamp> goal_;
-  std::deque<Sender> senders_;        // the one that last had a new goal comes last
+  std::deque<Sender> senders_;        // that had the floor; the one that last had a new goal comes last
+  std::deque<Sender> ignored_;        // that had not: apart, so that no crowd of them makes us forget the others
   std::int64_t holder_ = 0;           // session that has the floor
   std::int64_t holder_since_ = 0;     // us, of now
   std::int64_t holder_heard_at_ = 0;  // us, of now

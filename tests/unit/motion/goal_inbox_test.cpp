@@ -79,12 +79,34 @@ TEST_F(Goals, ASecondSenderIsNamedAndIgnoredWhileTheFirstRepeats) {
   EXPECT_EQ(inbox_.second(us(11.0), kAge), "") << "it is silent";
 }
 
-TEST_F(Goals, ARestartedSenderTakesTheFloorOnceItIsFree) {
+TEST_F(Goals, ARestartedSenderTakesTheFloorWithANewGoalOnceItIsFree) {
   hear(5, 9, 0.0);
   EXPECT_EQ(hear(6, 1, 0.5), GoalHeard::kSecond);
-  EXPECT_EQ(hear(6, 1, 0.7), GoalHeard::kNew);
+  EXPECT_EQ(hear(6, 2, 0.7), GoalHeard::kNew);
   EXPECT_EQ(inbox_.second(us(0.7), kAge), "");
   EXPECT_EQ(hear(5, 9, 0.8), GoalHeard::kSecond) << "the first has had its turn";
+}
+
+TEST_F(Goals, WhatWasIgnoredDoesNotBeginWhenTheFirstFallsSilent) {
+  hear(5, 9, 0.0);
+  hear(5, 9, 0.5);
+  EXPECT_EQ(hear(6, 1, 0.6), GoalHeard::kSecond);
+  EXPECT_EQ(hear(6, 1, 1.2), GoalHeard::kEnded);
+  EXPECT_FALSE(inbox_.goal()) << "nor is the first one's followed, who has lost the floor";
+}
+
+TEST_F(Goals, ACrowdOfOthersMakesNothingForgotten) {
+  hear(5, 9, 0.0);
+  hear(5, 9, 0.5);
+  for (int i = 0; i < 200; ++i) EXPECT_EQ(hear(100 + i, 1, 0.8), GoalHeard::kSecond);
+  hear(5, 10, 0.9);
+  EXPECT_EQ(hear(5, 9, 1.0), GoalHeard::kEnded);
+  EXPECT_EQ(inbox_.goal()->id, 10);
+}
+
+TEST_F(Goals, SessionZeroIsNobody) {
+  EXPECT_EQ(hear(0, 1, 0.0), GoalHeard::kEnded);
+  EXPECT_EQ(hear(5, 1, 0.1), GoalHeard::kNew) << "and takes no floor";
 }
 
 TEST_F(Goals, WhoCannotKnowWhichOfTwoWasFirstFollowsNone) {
