@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "common/census/census.hpp"
+#include "common/time/clocks.hpp"
 
 namespace markservo::stack_watch {
 
@@ -19,6 +20,10 @@ struct Instant {
   int64_t steady_us = 0;
 };
 
+inline Instant now() {
+  return {wall_clock_us(), steady_clock_us()};
+}
+
 class RecentCensus {
  public:
   // Long enough for rates of 1 Hz, short enough to follow the present.
@@ -26,6 +31,8 @@ class RecentCensus {
 
   explicit RecentCensus(Instant now) : older_(now.wall_us), newer_(now.wall_us), turned_us_(now.steady_us) {}
 
+  // What the stack's supervisor runs: others cannot crowd it out.
+  void know(const census::KnownProcesses& known);
   void hear(const census::Heard& message);
   void hear(const census::ServiceWord& word, Instant now);
   // To be called once a second at least.
@@ -43,11 +50,12 @@ class RecentCensus {
     int64_t heard_us = 0;  // steady
   };
   // More processes no bus has: a hostile writer must not take all memory.
-  static constexpr std::size_t kMaxProcesses = 2048;
+  static constexpr std::size_t kMaxProcesses = 1024;
   static constexpr int64_t kForgotten_us = 60'000'000;
 
   census::Census older_;
   census::Census newer_;
+  census::KnownProcesses known_;
   int64_t turned_us_;
   std::map<Process, State> states_;
 };

@@ -42,15 +42,18 @@ class StackWatchNode {
   // What the supervisor said last.
   struct Supervised {
     std::vector<SupervisedProcess> processes;
+    std::vector<RunningProcess> running;  // of them
     bool alive = false;
     bool ever_alive = false;
     int64_t changed_us = 0;  // wall clock: since when it is alive, or is not
     std::string why_not;
+    std::string cannot_ask;  // why it was not asked last; empty where it was
   };
   struct Kill {
     std::string name;
     int pid = 0;
     double silent_s = 0.0;
+    bool spoke = false;
     int64_t utime = 0;  // wall clock, us
   };
 
@@ -60,7 +63,7 @@ class StackWatchNode {
   void keep_bus();
   void kill_if_supervised(const SilentService& silent);
   void ask_for_processes();
-  std::vector<RunningProcess> running() const;
+  void note_answer(Supervised answer);
   std::string orphans() const;
   std::string reason(bool* well) const;
 
