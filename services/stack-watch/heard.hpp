@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include "common/census/census.hpp"
-#include "common/time/clocks.hpp"
 
 namespace markservo::stack_watch {
 
@@ -19,10 +18,6 @@ struct Instant {
   int64_t wall_us = 0;
   int64_t steady_us = 0;
 };
-
-inline Instant now() {
-  return {wall_clock_us(), steady_clock_us()};
-}
 
 class RecentCensus {
  public:

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "common/time/clocks.hpp"
 #include "services/stack-watch/group_device.hpp"
 #include "services/stack-watch/heard.hpp"
 #include "services/stack-watch/lcm_datagram.hpp"
@@ -15,6 +16,10 @@
 #include "services/stack-watch/supervisor_words.hpp"
 
 namespace markservo::stack_watch {
+
+inline Instant now() {
+  return {wall_clock_us(), steady_clock_us()};
+}
 
 struct StackWatchSettings {
   std::string url;         // of the bus
