@@ -6,6 +6,7 @@
 
 #include "common/bus/number_options.hpp"
 #include "common/messages/motion_messages.hpp"
+#include "common/motion/notice.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/stop_device.hpp"
 #include "services/base-navigator/navigator_messages.hpp"
@@ -67,7 +68,7 @@ void BaseNavigatorNode::add_motion_options(CLI::App& app) {
 
 void BaseNavigatorNode::configure(const std::string& robot_file) {
   const robot::RobotDescription description = robot::load_robot_description(robot_file);
-  robot::require_stop_device(description, stop_device_, robot_file);
+  robot::require_stop_device(description, "--stop-device", stop_device_, robot_file);
   const ArrivalParameters& arrival = parameters_.manoeuvre.arrival;
   if (arrival.coarse_position < arrival.position || arrival.coarse_heading < arrival.heading) {
     throw ConfigurationError("--coarse-tolerance, --coarse-heading-tolerance: allowed: no less than --tolerance (" +
@@ -164,12 +165,6 @@ void BaseNavigatorNode::after_input() {
   }
 }
 
-std::string BaseNavigatorNode::notice() const {
-  if (!base_->blocked().empty()) return base_->blocked();
-  std::string second = state_.goals.second(base_->now(), parameters_.trust.goal_age);
-  return second.empty() ? base_->stranger() : second;
-}
-
 // The status first: who waits for the command of an odometry then has both.
 void BaseNavigatorNode::answer(const OdometryId& odometry) {
   const Output output = navigator_->step(state_);
@@ -187,7 +182,7 @@ void BaseNavigatorNode::watch_for_odometry() {
 }
 
 void BaseNavigatorNode::tell(DriveState state, const std::string& reason) {
-  const std::string others = notice();
+  const std::string others = motion::notice(*base_, state_.goals, parameters_.trust.goal_age);
   if (told_ == state && told_notice_ == others) return;  // reasons may hold numbers that change with every answer
   told_ = state;
   told_notice_ = others;

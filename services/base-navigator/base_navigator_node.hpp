@@ -39,7 +39,6 @@ class BaseNavigatorNode : public bus::Service {
   motion::Word hear_report(const char* channel, const motion::Stamp& stamp);
   void begin_anew(const std::string& why);
   void after_input();
-  std::string notice() const;
   void answer(const OdometryId& odometry);
   void watch_for_odometry();
   void tell(DriveState state, const std::string& reason);

@@ -67,7 +67,14 @@ Navigator::Navigator(const robot::RobotDescription& robot, const NavigatorParame
 
 std::string Navigator::observe(const OdometrySample& sample, NavigatorState& state) const {
   if (state.first_utime == 0 || sample.utime < state.first_utime) state.first_utime = sample.utime;
+  const bool first = state.track.empty();
   state.odometry_problem = state.track.add(parameters_.odometry, sample);
+  // A goal that came before any time did is judged now, so that none waits for its hour.
+  if (first && !state.track.empty() &&
+      state.goals.end_unless_fresh(state.track.newest_utime(), parameters_.trust.goal_age)) {
+    state.dropped = "the goal heard before the first WHEEL_ODOMETRY is of another time: it was dropped";
+    state.goal.reset();
+  }
   return state.odometry_problem;
 }
 

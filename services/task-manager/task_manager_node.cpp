@@ -10,6 +10,7 @@
 #include "common/messages/motion_messages.hpp"
 #include "common/messages/state_codes.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/robot/stop_device.hpp"
 #include "services/task-manager/options.hpp"
 
 namespace markservo::task_manager {
@@ -34,6 +35,8 @@ void TaskManagerNode::add_options(CLI::App& app) {
 
 void TaskManagerNode::configure(const std::string& robot_file) {
   robot_ = robot::load_robot_description(robot_file);
+  robot::require_stop_device(robot_, "--arm-device", arm_device_, robot_file);
+  if (robot_.base) robot::require_stop_device(robot_, "--base-device", base_device_, robot_file);
   if (parameters_.carry.place_radius_max < parameters_.carry.place_radius_min) {
     throw ConfigurationError("place-radius-max is " + std::to_string(parameters_.carry.place_radius_max) +
                              " m; allowed: at least place-radius-min, " +

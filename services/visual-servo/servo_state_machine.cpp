@@ -42,7 +42,13 @@ ServoStateMachine::ServoStateMachine(robot::RobotDescription robot, Parameters p
 
 bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
   if (!sample.position.allFinite() || !std::isfinite(sample.gripper_opening)) return false;
+  const bool first = state.joints.empty();
   if (state.joints.add(sample, servo_speed_)) state.adopt_joints = true;
+  // A goal that came before any time did is judged now, so that none waits for its hour.
+  if (first && state.goals.end_unless_fresh(sample.utime, parameters_.goal_age)) {
+    state.dropped = "the goal heard before the first JOINT_STATE is of another time: it was dropped";
+    state.goal.reset();
+  }
   const bool obeying = state.commanded && !state.adopt_joints && !state.stop_latched.value_or(true);
   watch_gripper(sample, state.command.gripper_opening, state.gripper_utime, obeying, state.gripper);
   return true;

@@ -6,6 +6,7 @@
 
 #include "common/bus/number_options.hpp"
 #include "common/messages/motion_messages.hpp"
+#include "common/motion/notice.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/stop_device.hpp"
 #include "services/visual-servo/servo_messages.hpp"
@@ -58,7 +59,7 @@ void VisualServoNode::add_options(CLI::App& app) {
 
 void VisualServoNode::configure(const std::string& robot_file) {
   const robot::RobotDescription description = robot::load_robot_description(robot_file);
-  robot::require_stop_device(description, stop_device_, robot_file);
+  robot::require_stop_device(description, "--stop-device", stop_device_, robot_file);
   parameters_.law = law_ == "paper" ? Law::kPaper : Law::kResolvedRate;
   try {
     machine_ = std::make_unique<ServoStateMachine>(description, parameters_);
@@ -146,14 +147,8 @@ void VisualServoNode::after_input() {
   }
 }
 
-std::string VisualServoNode::notice() const {
-  if (!arm_->blocked().empty()) return arm_->blocked();
-  std::string second = state_.goals.second(arm_->now(), parameters_.goal_age);
-  return second.empty() ? arm_->stranger() : second;
-}
-
 void VisualServoNode::tell(const Status& status) {
-  const std::string others = notice();
+  const std::string others = motion::notice(*arm_, state_.goals, parameters_.goal_age);
   if (told_ == status.state && told_notice_ == others) return;  // reasons may hold numbers that change with every frame
   told_ = status.state;
   told_notice_ = others;

@@ -34,7 +34,6 @@ class VisualServoNode : public bus::Service {
   void on_pose(const TargetPose& pose);
   void after_input();
   void tell(const Status& status);
-  std::string notice() const;
 
   std::string law_ = "resolved-rate";
   std::string stop_device_ = "arm";

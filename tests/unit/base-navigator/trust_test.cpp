@@ -224,6 +224,17 @@ TEST(Trust, StaysWhileItIsSearchingWithoutAPose) {
   EXPECT_EQ(rig.fastest, 0.0);
 }
 
+TEST(Trust, AGoalOfTheFutureHeardBeforeTheFirstOdometryDoesNotWaitForItsHour) {
+  Rig rig;
+  Goal goal = Rig::goal_at({2.0, 0.0, 0.0});
+  goal.utime = rig.world.utime + 2'000'000;
+  rig.navigator.observe(goal, rig.state);
+  rig.run(4.0);
+  EXPECT_EQ(rig.fastest, 0.0);
+  EXPECT_EQ(rig.last.status.reason,
+            "the goal heard before the first WHEEL_ODOMETRY is of another time: it was dropped");
+}
+
 TEST(Explore, LearnsTheHeadingByCreepingAheadAndThenDrives) {
   Rig rig;
   rig.world.heading_sigma = 1.8;

@@ -269,5 +269,22 @@ TEST(TaskManagerOptions, RangeOfThePlaceMustNotBeEmpty) {
   }
 }
 
+TEST(TaskManagerOptions, DevicesAreTheRobots) {
+  for (const char* option : {"--arm-device", "--base-device"}) {
+    TaskManagerNode node;
+    CLI::App app;
+    node.add_options(app);
+    app.parse(std::string(option) + " amr");
+    try {
+      node.configure(bus::kRobotFile);
+      FAIL() << "accepted";
+    } catch (const ConfigurationError& error) {
+      EXPECT_NE(std::string(error.what()).find(std::string(option) + " 'amr': allowed: stop_devices of"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace markservo::task_manager

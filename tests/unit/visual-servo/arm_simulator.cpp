@@ -24,6 +24,10 @@ std::int64_t utime_of(double seconds) {
 
 }  // namespace
 
+std::int64_t ArmSimulator::utime() const {
+  return utime_of(time_);
+}
+
 ArmSimulator::ArmSimulator(const robot::RobotDescription& robot, const SimulatorSettings& settings, std::uint64_t seed)
     : robot_(robot), truth_(*robot.arm), settings_(settings), random_(seed) {
   std::uniform_real_distribution<double> part(-1.0, 1.0);

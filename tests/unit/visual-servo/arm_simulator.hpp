@@ -54,6 +54,7 @@ class ArmSimulator {
   // Largest distance of the true grip point from the line start - goal, m, since place().
   double largest_sweep(const Eigen::Vector3d& goal) const;
   double time() const { return time_; }
+  std::int64_t utime() const;  // us, of time()
   bool hide_hand = false;
   bool hide_target = false;
 

@@ -74,5 +74,18 @@ TEST_F(GoalAge, TheGripperKeepsWhatItWasTold) {
   EXPECT_EQ(output.command->gripper_opening, 0.01);
 }
 
+TEST_F(GoalAge, AGoalOfTheFutureHeardBeforeTheFirstJointStateDoesNotWaitForItsHour) {
+  Goal goal = posture_goal(start_ + JointVector(0.6, -0.2, 0.1));
+  goal.utime += 2'000'000;
+  sender_lives_ = false;
+  machine_.observe(goal, state_);
+  for (int i = 0; i < 120; ++i) {
+    const Output output = frame();
+    EXPECT_NE(output.status.state, ServoState::kPosture);
+    EXPECT_NEAR((output.command->position - start_).norm(), 0.0, 1e-9);
+  }
+  EXPECT_EQ(frame().status.reason, "the goal heard before the first JOINT_STATE is of another time: it was dropped");
+}
+
 }  // namespace
 }  // namespace markservo::visual_servo::test

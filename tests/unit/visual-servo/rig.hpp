@@ -24,7 +24,7 @@ class Rig : public testing::Test {
 
   Goal servo_goal(std::int64_t id = 1) const {
     Goal goal;
-    goal.utime = state_.joints.empty() ? 0 : state_.joints.newest().utime;
+    goal.utime = state_.joints.empty() ? arm_.utime() : state_.joints.newest().utime;
     goal.session = 5;
     goal.id = id;
     goal.kind = GoalKind::kServo;

@@ -1,0 +1,11 @@
+#include "common/motion/notice.hpp"
+
+namespace markservo::motion {
+
+std::string notice(const MoverWatch& mover, const GoalInbox& goals, double goal_age) {
+  if (!mover.blocked().empty()) return mover.blocked();
+  std::string second = goals.second(mover.now(), goal_age);
+  return second.empty() ? mover.stranger() : second;
+}
+
+}  // namespace markservo::motion
