@@ -1,5 +1,7 @@
 #include "common/bus/connection.hpp"
 
+#include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -16,7 +18,8 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kAskAgain{250};
-constexpr milliseconds kAskTheDeafAgain{2000};  // it takes 0.3 s to find out
+constexpr milliseconds kAMoment{100};        // so long may whoever asks be kept from its work four times a second,
+constexpr milliseconds kAskSlowAgain{2000};  // and for longer only so often
 constexpr milliseconds kLately{2000};
 constexpr std::size_t kOneDatagram = 65'000;  // bytes that surely fit into one
 
@@ -29,6 +32,13 @@ bool tells_of_loss(int error) {
 bool is_refusal(int error) {
   return tells_of_loss(error) || error == EPERM || error == EACCES || error == ENOBUFS || error == EMSGSIZE ||
          error == EINVAL || error == ECONNREFUSED || error == EPIPE;
+}
+
+// A server that takes or gives nothing any more keeps nobody for longer: liblcm then takes it for gone.
+void bound_patience(int descriptor) {
+  const timeval patience{1, 0};
+  setsockopt(descriptor, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
+  setsockopt(descriptor, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
 }
 
 }  // namespace
@@ -49,7 +59,6 @@ bool Connection::try_to_open() {
   }
   if (found.kind != Reachability::Kind::kReachable) {
     lost_ = true;
-    deaf_ = found.kind == Reachability::Kind::kDeaf;
     trouble_ = found.reason;
     return false;
   }
@@ -59,6 +68,7 @@ bool Connection::try_to_open() {
   if (!opened->good()) {
     throw BusUnavailable("bus " + url_ + ": cannot be joined; allowed: udpm://, tcpq://, memq:// or file:// URLs");
   }
+  if (is_tcpq(url_)) bound_patience(opened->getFileno());
   if (attach_) {
     attach_(*opened);
     descriptor_ = opened->getFileno();  // with it liblcm makes what it hears by
@@ -70,35 +80,41 @@ bool Connection::try_to_open() {
   }
   lcm_ = std::move(opened);
   lost_ = false;
-  deaf_ = false;
   trouble_.clear();
   refused_.lately = 0;
   return true;
 }
 
 bool Connection::mend(Time now) {
-  if (is_open() || now - asked_ < (deaf_ ? kAskTheDeafAgain : kAskAgain)) return false;
+  if (is_open() || now - asked_ < ask_again_) return false;
   asked_ = now;
+  const Time begin = std::chrono::steady_clock::now();
+  bool opened = false;
   try {
-    return try_to_open();
+    opened = try_to_open();
   } catch (const BusUnavailable& error) {
     // The URL was right at the start: whatever it is now (a host without memory, a full table of files), it may pass.
     trouble_ = error.what();
-    return false;
   }
+  ask_again_ = std::chrono::steady_clock::now() - begin > kAMoment ? kAskSlowAgain : kAskAgain;
+  return opened;
 }
 
 void Connection::lose(const std::string& why, Time now) {
   if (lost_) return;
   lost_ = true;
   trouble_ = why;
+  ask_again_ = kAskAgain;
   asked_ = now;  // the first question after a moment: a bus that flaps is not opened again and again
 }
 
 bool Connection::publish(const std::string& channel, const void* data, std::size_t size, Time now) {
+  // liblcm would connect anew, and wait for it.
+  if (is_tcpq(url_) && lcm_ && lcm_->getFileno() < 0) lose("the LCM server is gone", now);
+  const bool may_send = lcm_ && !(is_tcpq(url_) && lost_);
   errno = 0;
-  bool sent = lcm_ && lcm_->publish(channel, data, static_cast<unsigned int>(size)) >= 0;
-  const int error = lcm_ ? errno : ENETUNREACH;
+  bool sent = may_send && lcm_->publish(channel, data, static_cast<unsigned int>(size)) >= 0;
+  const int error = may_send ? errno : ENETUNREACH;
   // liblcm 1.3.1 returns 0 for a message of several datagrams whatever became of them: errno tells.
   if (sent && is_udpm(url_) && size >= kOneDatagram) sent = !is_refusal(error);
   if (sent) return true;

@@ -1,6 +1,7 @@
 #pragma once
 
-// One LCM bus by its URL, held through what happens to the network: opened, lost, opened again. Used by Bus only.
+// One LCM bus by its URL, held through what happens to the network: opened, lost, opened again. Used by Bus, and by
+// who sends what is no message of ours.
 
 #include <chrono>
 #include <cstddef>
@@ -35,7 +36,8 @@ class Connection {
   // what waiting does not mend.
   bool open();
 
-  // Sees to a bus that is lost: asks four times a second whether it is back, and opens it anew, which joins the
+  // Sees to a bus that is lost: asks four times a second whether it is back, where finding out takes a moment every two
+  // seconds, and opens it anew, which joins the
   // multicast group again. True if it was opened in this call.
   bool mend(Time now);
   // The bus is read no more, or hears nothing: mend() opens it anew.
@@ -65,9 +67,9 @@ class Connection {
   std::unique_ptr<lcm::LCM> lcm_;
   int descriptor_ = -1;
   bool lost_ = false;
-  bool deaf_ = false;  // what is sent does not come back
   std::string trouble_;
   Time asked_{};
+  std::chrono::milliseconds ask_again_{0};
   RefusedSends refused_;
   Time refused_at_{};
 };

@@ -1,6 +1,7 @@
 #include "common/bus/reachability.hpp"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <poll.h>
@@ -175,6 +176,24 @@ Reachability reach_group(const std::string& url, bool listens) {
   return {Kind::kDeaf, "what is sent to " + address->host + " does not come back; does a firewall drop it?"};
 }
 
+// As connect(), but no longer than kPatience: the kernel alone goes on for two minutes where a host drops packets.
+bool connect_soon(int fd, const addrinfo& to) {
+  constexpr int kPatience_ms = 500;
+  const int flags = fcntl(fd, F_GETFL);
+  if (fd < 0 || fcntl(fd, F_SETFL, flags | O_NONBLOCK) < 0) return false;
+  if (connect(fd, to.ai_addr, to.ai_addrlen) == 0) return true;
+  if (errno != EINPROGRESS) return false;
+  pollfd waiting{fd, POLLOUT, 0};
+  const int ready = ::poll(&waiting, 1, kPatience_ms);
+  if (ready == 0) errno = ETIMEDOUT;
+  if (ready <= 0) return false;
+  int error = 0;
+  socklen_t size = sizeof error;
+  if (getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &size) < 0) return false;
+  errno = error;
+  return error == 0;
+}
+
 Reachability reach_server(const std::string& url) {
   const auto address = address_of(url, {"127.0.0.1", 7700});
   if (!address) return {Kind::kNever, "no address; allowed: tcpq://HOST:PORT"};
@@ -186,8 +205,10 @@ Reachability reach_server(const std::string& url) {
     return {Kind::kNever, "host " + address->host + " is unknown; allowed: tcpq://HOST:PORT"};
   }
   Socket socket(SOCK_STREAM);
-  const bool answers = connect(socket.fd(), found->ai_addr, found->ai_addrlen) == 0;
+  const bool answers = connect_soon(socket.fd(), *found);
+  const int error = errno;
   freeaddrinfo(found);
+  errno = error;
   if (answers) return {};
   return failed("no LCM server at " + address->host + ":" + std::to_string(address->port));
 }

@@ -18,8 +18,8 @@ struct Reachability {
 };
 
 // Of udpm:// and tcpq:// URLs; all others are left to liblcm. `listens`: the bus is read too. Takes up to 0.3 s where
-// what is sent does not come back, else a millisecond. Sends what liblcm does at its start, LCM_SELF_TEST, kept on this
-// host.
+// what is sent does not come back, 0.5 s where a server does not answer, else a millisecond. Sends what liblcm does at
+// its start, LCM_SELF_TEST, kept on this host.
 Reachability reach(const std::string& url, bool listens);
 
 }  // namespace markservo::bus

@@ -11,34 +11,14 @@ void SequenceMonitor::observe(int64_t session, int64_t seq) {
   if (session_changed_) {
     if (std::find(earlier_.begin(), earlier_.end(), session) != earlier_.end()) second_writer_ = true;
     earlier_.push_back(session_);
-    if (earlier_.size() > kRemembered) earlier_.pop_front();
+    if (earlier_.size() > kRemembered) earlier_.erase(earlier_.begin());
   }
   if (session != session_) {
     session_ = session;
-    seq_ = seq;
-    far_.reset();
-    return;
+    lost_earlier_ = lost();
+    gaps_ = GapCounter();
   }
-  follow(seq);
-}
-
-// One that comes late or twice loses nothing. One far from all others counts once the next goes on from it.
-void SequenceMonitor::follow(int64_t seq) {
-  const bool is_near = seq <= seq_ ? seq_ - seq <= kFar : seq - seq_ <= kFar;
-  if (is_near) {
-    lost_ = std::min(lost_ + sequence_gap(seq_, seq), kMaxLost);
-    seq_ = std::max(seq_, seq);
-    far_.reset();
-    return;
-  }
-  const bool goes_on = far_ && seq > *far_ && seq - *far_ <= kFar;
-  if (!goes_on) {
-    far_ = seq;
-    return;
-  }
-  lost_ = std::min(lost_ + sequence_gap(seq_, *far_) + sequence_gap(*far_, seq), kMaxLost);
-  seq_ = seq;
-  far_.reset();
+  gaps_.observe(seq);
 }
 
 }  // namespace markservo::bus

@@ -40,7 +40,8 @@ bool is_for_many(const std::string& channel) {
 }
 
 void Census::hear(const Heard& message) {
-  if (channels_.size() >= kMaxChannels && channels_.count(message.channel) == 0) return;
+  const bool known = message.session && known_sessions_.count(*message.session) > 0;
+  if (!has_room(channels_.size(), kMaxChannels, known) && channels_.count(message.channel) == 0) return;
   ChannelTally& tally = channels_[message.channel];
   if (tally.events == 0) tally.first_us = message.utime;
   if (tally.events > 0 && tally.hash != message.hash) tally.several_types = true;
@@ -50,19 +51,46 @@ void Census::hear(const Heard& message) {
   tally.hash = message.hash;
   tally.type = message.type;
   if (!message.session) return;
-  if (tally.writers.size() < kMaxWriters || tally.writers.count(*message.session) > 0)
-    ++tally.writers[*message.session];
+  note_writer(&tally, *message.session);
   // Of a type without seq only the sessions count.
   tally.sequence.observe(*message.session, message.seq.value_or(0));
 }
 
+void Census::note_writer(ChannelTally* tally, int64_t session) {
+  const auto writer = tally->writers.find(session);
+  if (writer != tally->writers.end()) {
+    ++writer->second;
+    return;
+  }
+  const bool known = known_sessions_.count(session) > 0;
+  if (!has_room(tally->writers.size(), kMaxWritersOfOne, known) || !has_room(writers_, kMaxWriters, known)) return;
+  tally->writers[session] = 1;
+  ++writers_;
+}
+
+void Census::know(const KnownProcesses& known) {
+  known_ = known;
+  known_sessions_.clear();
+  for (const auto& [process, tally] : services_) {
+    if (known_.have(tally.newest)) known_sessions_.insert(tally.newest.session);
+  }
+}
+
 void Census::hear(const ServiceWord& word, int64_t utime) {
   const Process process{word.robot, word.name, word.host, word.pid, word.session};
-  if (services_.size() >= kMaxServices && services_.count(process) == 0) return;
+  const bool known = known_.have(word);
+  if (!has_room(services_.size(), kMaxServices, known) && services_.count(process) == 0) return;
+  if (known && has_room(known_sessions_.size(), kMaxServices, false)) known_sessions_.insert(word.session);
   ServiceTally& tally = services_[process];
   const int64_t behind = utime - word.utime;
   tally.behind_us = tally.heard == 0 ? behind : std::min(tally.behind_us, behind);
+  channel_words_ -= tally.newest.channels.size();
   tally.newest = word;
+  auto& channels = tally.newest.channels;
+  while (!channels.empty() && !has_room(channel_words_ + channels.size() - 1, kMaxChannelWords, known))
+    channels.pop_back();
+  channels.shrink_to_fit();
+  channel_words_ += channels.size();
   tally.last_us = utime;
   ++tally.heard;
   names_[Name{word.robot, word.name}].observe(word.session, 0);
@@ -75,11 +103,23 @@ bool Census::is_duplicate(const ServiceTally& tally) const {
   return name != names_.end() && name->second.second_writer();
 }
 
+// Where several claim it: the one that is known, or else the one that has said most.
+std::map<int64_t, const Census::ServiceTally*> Census::owners() const {
+  std::map<int64_t, const ServiceTally*> owners;
+  const auto rank = [this](const ServiceTally& tally) {
+    return std::make_pair(known_.have(tally.newest), tally.heard);
+  };
+  for (const auto& [process, tally] : services_) {
+    const ServiceTally*& owner = owners[tally.newest.session];
+    if (owner == nullptr || rank(*owner) < rank(tally)) owner = &tally;
+  }
+  return owners;
+}
+
 Report Census::report(int64_t utime) const {
   Report report;
   report.listened_s = kSeconds * static_cast<double>(utime - begin_us_);
-  std::map<int64_t, std::string> names;
-  for (const auto& [process, tally] : services_) names[tally.newest.session] = tally.newest.name;
+  const auto owner_of = owners();
   std::map<int64_t, std::vector<std::string>> written;
   for (const auto& [channel, tally] : channels_) {
     ChannelReport line;
@@ -95,8 +135,8 @@ Report Census::report(int64_t utime) const {
       line.two_writers = tally.sequence.second_writer();
     }
     for (const auto& [session, events] : tally.writers) {
-      const auto name = names.find(session);
-      line.writers.push_back({session, name == names.end() ? std::string() : name->second, events});
+      const auto owner = owner_of.find(session);
+      line.writers.push_back({session, owner == owner_of.end() ? std::string() : owner->second->newest.name, events});
       if (last_part(channel) != channels::kServiceStatus.name) written[session].push_back(channel);
     }
     report.channels.push_back(std::move(line));
@@ -109,7 +149,7 @@ Report Census::report(int64_t utime) const {
     line.clock_behind_s = kSeconds * static_cast<double>(tally.behind_us);
     line.duplicate = is_duplicate(tally);
     const auto channels = written.find(tally.newest.session);
-    if (channels != written.end()) line.writes = channels->second;
+    if (channels != written.end() && owner_of.at(tally.newest.session) == &tally) line.writes = channels->second;
     report.services.push_back(std::move(line));
   }
   return report;

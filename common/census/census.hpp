@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "common/bus/sequence_monitor.hpp"
@@ -101,12 +103,23 @@ struct Report {
   std::vector<ChannelReport> channels;  // by name
 };
 
+// Processes of one host that are known to run, by name and pid: their supervisor says so.
+struct KnownProcesses {
+  std::string host;
+  std::set<std::pair<std::string, int>> processes;
+
+  bool have(const ServiceWord& word) const { return word.host == host && processes.count({word.name, word.pid}) > 0; }
+};
+
 class Census {
  public:
   // `utime`: us, when listening began by this host's wall clock; what came before is not counted.
   explicit Census(int64_t utime) : begin_us_(utime) {}
 
   void hear(const Heard& message);
+  // From now on these are known: what they say and write finds room whatever others send, and where two processes claim
+  // one session it is theirs.
+  void know(const KnownProcesses& known);
   // A SERVICE_STATUS; the same message goes to hear(Heard) too. `utime`: us, when it came.
   void hear(const ServiceWord& word, int64_t utime);
 
@@ -115,9 +128,19 @@ class Census {
 
  private:
   // More are not kept apart: a hostile writer must not take all memory.
+  // Bus-wide each: a hundred robots have 2,000 channels, 900 services and 7,000 channels told of.
   static constexpr std::size_t kMaxChannels = 4096;
-  static constexpr std::size_t kMaxServices = 2048;
-  static constexpr std::size_t kMaxWriters = 64;  // of one channel
+  static constexpr std::size_t kMaxServices = 1024;
+  static constexpr std::size_t kMaxChannelWords = 16384;
+  static constexpr std::size_t kMaxWriters = 16384;
+  static constexpr std::size_t kMaxWritersOfOne = 64;  // of one channel
+  // So much more where one that is known speaks or writes.
+  static constexpr std::size_t kShareOfKnown = 4;  // a quarter
+
+  // Whether there is room for one more where `size` are.
+  static constexpr bool has_room(std::size_t size, std::size_t most, bool known) {
+    return size < most + (known ? most / kShareOfKnown : 0);
+  }
 
   struct ChannelTally {
     int64_t events = 0;
@@ -140,11 +163,18 @@ class Census {
   using Process = std::tuple<std::string, std::string, std::string, int, int64_t>;  // and host, pid, session
 
   bool is_duplicate(const ServiceTally& tally) const;
+  // The process that each session belongs to.
+  std::map<int64_t, const ServiceTally*> owners() const;
+  void note_writer(ChannelTally* tally, int64_t session);
 
   int64_t begin_us_;
   std::map<std::string, ChannelTally> channels_;
   std::map<Process, ServiceTally> services_;
   std::map<Name, bus::SequenceMonitor> names_;
+  KnownProcesses known_;
+  std::set<int64_t> known_sessions_;  // of theirs
+  std::size_t writers_ = 0;           // of all channels
+  std::size_t channel_words_ = 0;     // of all services
 };
 
 }  // namespace markservo::census

@@ -2,7 +2,10 @@
 
 #include <lcm/lcm_coretypes.h>
 
+#include <markservo/channels.hpp>
+
 #include "common/bus/safe_decode.hpp"
+#include "common/messages/message_rules.hpp"
 #include "common/reflection/message_value.hpp"
 #include "common/text/text.hpp"
 
@@ -42,11 +45,9 @@ Heard heard_of(const std::string& channel, const void* data, std::size_t size, s
 }
 
 std::optional<ServiceWord> word_in(const std::string& channel, const void* data, std::size_t size) {
-  std::uint64_t fingerprint = 0;
-  if (!reflection::read_fingerprint(data, size, &fingerprint)) return std::nullopt;
-  if (static_cast<int64_t>(fingerprint) != ServiceStatus::getHash()) return std::nullopt;
+  if (channel.substr(channel.rfind('/') + 1) != channels::kServiceStatus.name) return std::nullopt;
   const auto decoded = bus::safe_decode<ServiceStatus>(data, size);
-  if (!decoded.ok || decoded.message.session < 1) return std::nullopt;
+  if (!decoded.ok || !messages::broken_rule(decoded.message).empty()) return std::nullopt;
   return word_of(decoded.message, channel);
 }
 

@@ -15,7 +15,8 @@ namespace markservo::census {
 // Writer and seq are only told of our types, which begin with them; 64 bytes are enough for that.
 Heard heard_of(const std::string& channel, const void* data, std::size_t size, std::size_t whole_size, int64_t utime);
 
-// The SERVICE_STATUS in these bytes; nothing where they are none, or are broken.
+// The SERVICE_STATUS in these bytes; nothing where they came on another channel, are none, are broken or break a rule
+// of their type.
 std::optional<ServiceWord> word_in(const std::string& channel, const void* data, std::size_t size);
 
 // What `status` says, as it came on `channel`.

@@ -22,7 +22,8 @@ is_alive() { [[ -n $keeper ]] && kill -0 "$keeper" 2>/dev/null; }
 # await_bus: until lcm-logger listens (three threads then; over TCP two), since `listens_since`; false when it ended
 # instead.
 await_bus() {
-  local tries logger=''
+  local tries
+  logger=''
   for ((tries = 0; tries < 200; ++tries)); do
     is_alive || return 1
     logger=$(pgrep -x -P "$keeper" lcm-logger) || true
@@ -34,7 +35,7 @@ await_bus() {
   done
   listens_since=$EPOCHREALTIME
   sleep 0.2 # for LCM's test of itself
-  is_alive && ! grep -q 'self test failed' "$words_file"
+  is_alive && ! grep -q 'self test failed' "$words_file" && note_interfaces
 }
 
 # refuse_bus: says why there is none.
@@ -64,14 +65,20 @@ end_logger() {
   return "$status"
 }
 
-# how_it_ended EXIT_CODE: of lcm-logger, in words.
+# how_it_ended STATUS: in words, who and how; STATUS as keep-logger exits.
 how_it_ended() {
-  if (($1 > 128)); then
-    printf 'was killed by signal %d (SIG%s)\n' $(($1 - 128)) "$(kill -l "$1" 2>/dev/null || echo '?')"
-  else
-    printf 'ended with exit code %d\n' "$1"
+  local signal
+  if (($1 <= 128)); then
+    printf 'lcm-logger ended with exit code %d\n' "$1"
+    return
   fi
+  signal=$(($1 > 192 ? $1 - 192 : $1 - 128))
+  printf '%s was killed by signal %d (SIG%s)\n' "$( (($1 > 192)) && echo lcm-logger || echo 'keep-logger, which runs lcm-logger,')" \
+    "$signal" "$(kill -l "$signal" 2>/dev/null || echo '?')"
 }
+
+# exit_code_of STATUS: of whoever ended so, as a shell gives it.
+exit_code_of() { printf '%d\n' $(($1 > 192 ? $1 - 64 : $1)); }
 
 # next_name: of the part that a logger which begins now shall write. It numbers parts by itself, from the first name that
 # is free; those that --keep has removed are not free, or new parts would come before old ones: empty files hold their
@@ -91,10 +98,56 @@ next_name() {
   printf 'log.lcm\n'
 }
 
+# group_of URL: a bus's multicast group as /proc/net/igmp has it; nothing for another bus.
+group_of() {
+  local a b c d
+  [[ $1 == udpm://* ]] || return 0
+  IFS=. read -r a b c d < <(sed -E 's|^udpm://([0-9.]*).*|\1|; s|^$|239.255.76.67|' <<<"$1")
+  if [[ -n $d ]]; then printf '%02X%02X%02X%02X\n' "$d" "$c" "$b" "$a" 2>/dev/null || true; fi
+}
+
+# interfaces_of GROUP: the numbers of the interfaces that take part in it, one a line.
+interfaces_of() { awk -v group="$1" '/^[0-9]/ { number = $1 } $1 == group { print number }' /proc/net/igmp 2>/dev/null | sort; }
+
+# note_interfaces: where lcm-logger, which has just begun to listen, may hear.
+note_interfaces() {
+  group=$(group_of "$lcm_url")
+  interfaces=''
+  if [[ -n $group ]]; then interfaces=$(interfaces_of "$group"); fi
+  heard_until=$EPOCHREALTIME
+}
+
+# can_hear: false when an interface that the group was joined on is gone: whoever joined it there hears nothing any more,
+# and is not told. One that came back has another number.
+can_hear() {
+  if [[ -n ${interfaces-} && -n $(comm -23 <(printf '%s\n' "$interfaces") <(interfaces_of "$group")) ]]; then return 1; fi
+  heard_until=$EPOCHREALTIME
+}
+
+# rejoin: lcm-logger is deaf: ends it, and begins the next part when there is a bus again; else as resume.
+rejoin() {
+  local reason='its network interface went away'
+  end_logger || true
+  keeper=''
+  note_gap "$heard_until" 0 "$reason"
+}
+
+# note_gap FROM STATUS REASON: nothing is recorded since FROM; goes on in the next part. False as resume.
+note_gap() {
+  local last
+  last=$(parts "$folder" | tail -n 1)
+  if [[ -n $last && ! -s $folder/$last ]]; then rm -f -- "$folder/$last"; fi
+  gaps=$((gaps + 1))
+  begin_gap "$1" "$2" "$3" || true
+  if [[ ! -t 1 ]]; then warn "$3: the recording goes on in the next part"; fi
+  begin_again || return 1
+  end_gap "$listens_since" || true
+}
+
 # resume: lcm-logger died: begins the next part, and notes in the manifest what was missed. False when the recording ends
 # instead, for a reason that it leaves in `ended_by`.
 resume() {
-  local status=0 died=$EPOCHREALTIME from last
+  local status=0
   wait "$keeper" || status=$?
   keeper=''
   # What it says by itself is no accident: a disk that is full, a file that cannot be written.
@@ -103,14 +156,17 @@ resume() {
     exit_code=$status
     return 1
   fi
-  last=$(parts "$folder" | tail -n 1)
-  from=$(missed_since "$died" "$folder/$last")
-  if [[ -n $last && ! -s $folder/$last ]]; then rm -f -- "$folder/$last"; fi
-  gaps=$((gaps + 1))
-  begin_gap "$from" "$status" || true
-  if [[ ! -t 1 ]]; then warn "lcm-logger $(how_it_ended "$status"): the recording goes on in the next part"; fi
-  begin_again || return 1
-  end_gap "$listens_since" || true
+  await_end_of_logger
+  note_gap "$(missed_since)" "$status" "$(how_it_ended "$status")"
+}
+
+# await_end_of_logger: when only what runs it was killed it still writes what it holds; 3 s at most.
+await_end_of_logger() {
+  local tries
+  for ((tries = 0; tries < 60; ++tries)); do
+    [[ -n ${logger-} && $(cat "/proc/$logger/comm" 2>/dev/null) == lcm-logger ]] || return 0
+    sleep 0.05
+  done
 }
 
 # begin_again: until there is a logger that listens; false when the recording ends instead.
@@ -137,11 +193,34 @@ begin_again() {
   done
 }
 
-# missed_since DIED FILE: from when on nothing was recorded, when lcm-logger died then (s.us since the epoch): since it
-# wrote last, or for a second at most, for it writes four times a second what it has heard.
+# missed_since: from when on nothing was recorded (s.us since the epoch): the time of the last event that is on disk, or
+# when lcm-logger began to listen. The file's own time says only when something was written.
 missed_since() {
-  local written=0
-  if [[ -s $2 ]]; then written=$(stat -c %.6Y -- "$2"); fi
-  written=${written/[.,]/}
-  printf '%s\n' "$((written > ${1/[.,]/} - 1000000 ? written : ${1/[.,]/} - 1000000))" | sed 's/......$/.&/'
+  local names i utime
+  mapfile -t names < <(parts "$folder")
+  for ((i = ${#names[@]} - 1; i >= 0 && i >= ${#names[@]} - 2; --i)); do
+    utime=$(last_utime "$folder/${names[i]}")
+    if [[ -n $utime ]] && ((utime > ${listens_since/[.,]/})); then
+      printf '%s.%s\n' "${utime%??????}" "${utime: -6}"
+      return
+    fi
+  done
+  printf '%s\n' "$listens_since"
+}
+
+# last_utime FILE: when the last event that begins in FILE's last 4 MB was heard, us since the epoch; nothing where there
+# is none. What looks like an event within a picture has an impossible time.
+last_utime() {
+  local size from places place utime now=${EPOCHREALTIME/[.,]/}
+  size=$(stat -c %s -- "$1")
+  from=$((size > 4000000 ? size - 4000000 : 0))
+  mapfile -t places < <(tail -c +$((from + 1)) -- "$1" | LC_ALL=C grep -obUaP '\xed\xa1\xda\x01' | tail -n 100 | cut -d : -f 1 | tac)
+  for place in "${places[@]}"; do
+    # Behind the magic word are the event's number and time, 8 bytes each, the largest first.
+    utime=$(od -An -v -tu8 --endian=big -j $((from + place + 12)) -N 8 -- "$1" 2>/dev/null | tr -d ' ')
+    if [[ $utime =~ ^[0-9]{1,18}$ ]] && ((utime > now - 86400000000 && utime <= now)); then
+      printf '%s\n' "$utime"
+      return
+    fi
+  done
 }

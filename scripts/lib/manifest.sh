@@ -60,13 +60,13 @@ begin_manifest() {
   write_manifest "$folder" "$text"
 }
 
-# begin_gap FROM EXIT_CODE: notes in $folder's manifest that lcm-logger ended so, and that since FROM (as instant takes
-# it) nothing is recorded. A thousand gaps are told one by one; after that the last one grows.
+# begin_gap FROM STATUS REASON: notes in $folder's manifest that since FROM (as instant takes it) nothing is recorded, for
+# that reason; STATUS as keep-logger exits. A thousand gaps are told one by one; after that the last one grows.
 begin_gap() {
-  local text signal=null
-  if (($2 > 128)); then signal=$(($2 - 128)); fi
-  text=$(jq --argjson from "$(instant "$1")" --argjson exit_code "$2" --argjson signal "$signal" \
-    --arg reason "lcm-logger $(how_it_ended "$2")" \
+  local text exit_code signal=null
+  exit_code=$(exit_code_of "$2")
+  if ((exit_code > 128)); then signal=$((exit_code - 128)); fi
+  text=$(jq --argjson from "$(instant "$1")" --argjson exit_code "$exit_code" --argjson signal "$signal" --arg reason "$3" \
     'if (.gaps | length) >= 1000 then .gaps[-1] |= (.to = null | .times += 1)
      else .gaps += [{$from, to: null, $exit_code, $signal, $reason, times: 1}] end' "$folder/manifest.json") || return
   write_manifest "$folder" "$text"

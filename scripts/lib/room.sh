@@ -4,7 +4,7 @@
 
 # who_is_in_the_way CENSUS URL OPTION...: one line for each who writes already what one of the services alone may write;
 # nothing where there is room, or where there is no bus (the services say why). OPTION as of bus-census: --room-for
-# SERVICE,... [--robot NAME] [--own PID,...].
+# SERVICE,... [--robot NAME] [--own PID,... [--own-sessions SESSION,...]].
 who_is_in_the_way() {
   local status=0 lines
   lines=$("$1" --lcm-url "$2" --for 1.2 "${@:3}" 2>/dev/null) || status=$?
@@ -20,7 +20,7 @@ who_is_in_the_way() {
 # services, as planned, would write. What the stack itself has started, and a restart replaces, is no obstacle, nor is a
 # bus-bridge.
 require_room() {
-  local service where own lines tool url robot
+  local service where own sessions='' lines tool url robot
   local -A options=() services_there=()
   for service; do
     options=()
@@ -29,10 +29,16 @@ require_room() {
     services_there[$where]+=${services_there[$where]:+,}$service
   done
   own=$(processes | paste -sd ,) || true
+  # What watches over the stack has heard for longer than is listened now.
+  if [[ -n $own && -S $runtime_dir/watch.sock ]]; then
+    sessions=$("$repository/scripts/lib/read-socket" "$runtime_dir/watch.sock" | jq -r --argjson own "[$own]" \
+      '.host as $host | [.services[] | select(.host == $host and (.pid | IN($own[]))).session] | unique | join(",")') || sessions=''
+  fi
   for where in "${!services_there[@]}"; do
     { read -r tool && read -r url && read -r robot; } <<<"$where" || true
     [[ $url == udpm://* && -x $tool ]] || continue
-    lines=$(who_is_in_the_way "$tool" "$url" --robot "$robot" --room-for "${services_there[$where]}" ${own:+--own "$own"})
+    lines=$(who_is_in_the_way "$tool" "$url" --robot "$robot" --room-for "${services_there[$where]}" ${own:+--own "$own"} \
+      ${sessions:+--own-sessions "$sessions"})
     if [[ -n $lines ]]; then
       forget_plan
       fail "on $url ${lines//$'\n'/; }: nothing was started (its own scripts/stack stop ends another stack; --robot NAME" \

@@ -20,7 +20,8 @@ def duration: floor | [. / 3600, . % 3600 / 60, . % 60] | map(floor)
 | [$heard.services[]? | select(.name as $name | $names | index($name))] as $words
 | {heard: ($heard != null), bus: ($heard.url), $supervisor, watch: $heard.watch, services: map(
     . as $process
-    | [$words[] | select(.name == $process.name and .host == $host and .pid == $process.pid)][-1] as $word
+    # Where several claim to be this process, the one that has said most.
+    | ([$words[] | select(.name == $process.name and .host == $host and .pid == $process.pid)] | max_by(.heard)) as $word
     | [$heard.channels[]? | . as $channel
         | select($word != null and ($word.writes | index($channel.channel)))] as $writes
     # Supervisor calls a process running once it has lived for a second; its own word counts for more.

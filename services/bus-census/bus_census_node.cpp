@@ -28,6 +28,10 @@ void BusCensusNode::hear(const bus::HeardBytes& message) {
 
 void BusCensusNode::listen(double seconds) {
   census_.emplace(wall_clock_us());
+  listen_on(seconds);
+}
+
+void BusCensusNode::listen_on(double seconds) {
   const int64_t end = steady_clock_us() + static_cast<int64_t>(1e6 * seconds);
   for (int64_t left = end - steady_clock_us(); left > 0 && !bus::told_to_end(); left = end - steady_clock_us()) {
     listener_.poll(std::chrono::milliseconds(std::min<int64_t>(left / 1000 + 1, 100)));

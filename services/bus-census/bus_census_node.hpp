@@ -20,6 +20,8 @@ class BusCensusNode {
 
   // Until `seconds` have passed or it is told to end (SIGINT, SIGTERM).
   void listen(double seconds);
+  // So much longer.
+  void listen_on(double seconds);
 
   census::Report report() const;
 

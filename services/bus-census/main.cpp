@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
 #include "common/bus/network_check.hpp"
 #include "common/bus/service.hpp"
@@ -29,6 +30,7 @@ struct Options {
   bool follow = false;
   RoomWish room;
   std::vector<int> own;
+  std::vector<int64_t> own_sessions;
 };
 
 void print(const Json& json) {
@@ -43,12 +45,19 @@ Json receive_buffer() {
           {"raw_frames_need", markservo::bus::kReceiveBufferForRawFrames}};
 }
 
-// Says what stands against it; exits 0 where nothing does.
-int tell_room(const Options& options, const census::Report& report) {
+// Says what stands against it; exits 0 where nothing does. A process of one's own may be late with its word.
+int tell_room(const Options& options, BusCensusNode* node) {
+  constexpr double kStep = 0.2;      // s
+  constexpr double kPatience = 5.0;  // s; one that is silent for longer hangs
   RoomWish wish = options.room;
   wish.host = markservo::bus::host_name();
   wish.own.insert(options.own.begin(), options.own.end());
-  const std::vector<std::string> lines = obstacles(report, wish);
+  wish.own_sessions.insert(options.own_sessions.begin(), options.own_sessions.end());
+  for (double waited = 0.0; waited < kPatience && !wish.own.empty(); waited += kStep) {
+    if (markservo::bus::told_to_end() || !somebody_is_unknown(node->report(), wish)) break;
+    node->listen_on(kStep);
+  }
+  const std::vector<std::string> lines = obstacles(node->report(), wish);
   for (const std::string& line : lines) std::cout << line << "\n";
   return lines.empty() ? markservo::bus::kExitStopped : markservo::bus::kExitFailed;
 }
@@ -65,7 +74,7 @@ int run(const Options& options) {
   node.listen(options.seconds);
   const int64_t jump_us = (markservo::wall_clock_us() - wall_us) - (markservo::steady_clock_us() - steady_us);
   if (options.follow) return markservo::bus::kExitStopped;
-  if (!options.room.services.empty()) return tell_room(options, node.report());
+  if (!options.room.services.empty()) return tell_room(options, &node);
   if (!options.json) {
     std::cout << census::table_of(node.report());
     return markservo::bus::kExitStopped;
@@ -99,5 +108,6 @@ int main(int argc, char** argv) {
       ->delimiter(',');
   app.add_option("--robot", options.room.robot, "With --room-for: this robot's channels only, '' for no prefix");
   app.add_option("--own", options.own, "With --room-for: processes of this host that are no obstacle")->delimiter(',');
+  app.add_option("--own-sessions", options.own_sessions, "With --own: what they are known to write by")->delimiter(',');
   return markservo::bus::run_tool(app, argc, argv, [&options] { return run(options); });
 }

@@ -15,6 +15,8 @@ using census::ServiceReport;
 using census::ServiceWord;
 using census::WriterReport;
 
+constexpr const char* kUnknown = "a program that does not say who it is";
+
 // The first channel that `service` alone may write; null: it may be started beside another.
 const channels::Entry* channel_of_its_own(const std::string& service) {
   for (const channels::Entry& entry : channels::kAll) {
@@ -42,28 +44,44 @@ std::string who(const ServiceWord& word) {
   return word.name + " (process " + std::to_string(word.pid) + " on " + word.host + ")";
 }
 
-// The newest word of the process that writes with this session; null: it has said none.
-const ServiceWord* word_of(const Report& report, int64_t session) {
+// The newest word of the process that writes with this session, one of the wish's own if it is claimed by several;
+// null: it has said none.
+const ServiceWord* word_of(const Report& report, const RoomWish& wish, int64_t session) {
+  const ServiceWord* word = nullptr;
   for (const ServiceReport& service : report.services) {
-    if (service.newest.session == session) return &service.newest;
+    if (service.newest.session != session) continue;
+    if (word == nullptr || is_own(wish, service.newest)) word = &service.newest;
   }
-  return nullptr;
+  return word;
 }
 
 // The writers of a channel who are not the wish's own.
 std::set<std::string> other_writers(const Report& report, const RoomWish& wish, const ChannelReport& channel) {
-  const std::string unknown = "a program that does not say who it is";
-  if (channel.writers.empty()) return {unknown};
+  if (channel.writers.empty()) return {kUnknown};
   std::set<std::string> names;
   for (const WriterReport& writer : channel.writers) {
-    const ServiceWord* word = word_of(report, writer.session);
+    if (wish.own_sessions.count(writer.session) > 0) continue;
+    const ServiceWord* word = word_of(report, wish, writer.session);
     if (word == nullptr) {
-      names.insert(unknown);
+      names.insert(kUnknown);
     } else if (!is_own(wish, *word)) {
       names.insert(who(*word));
     }
   }
   return names;
+}
+
+// What each of them writes of that.
+std::map<std::string, std::string> writers_in_the_way(const Report& report, const RoomWish& wish) {
+  std::map<std::string, std::string> channels_by_writer;
+  for (const ChannelReport& channel : report.channels) {
+    if (!is_its_robot(wish, census::robot_of(channel.channel)) || !shall_write(wish, channel.channel)) continue;
+    for (const std::string& writer : other_writers(report, wish, channel)) {
+      std::string& names = channels_by_writer[writer];
+      names += (names.empty() ? "" : ", ") + channel.channel;
+    }
+  }
+  return channels_by_writer;
 }
 
 }  // namespace
@@ -73,15 +91,12 @@ bool needs_room(const std::vector<std::string>& services) {
                      [](const std::string& service) { return channel_of_its_own(service) != nullptr; });
 }
 
+bool somebody_is_unknown(const Report& report, const RoomWish& wish) {
+  return writers_in_the_way(report, wish).count(kUnknown) > 0;
+}
+
 std::vector<std::string> obstacles(const Report& report, const RoomWish& wish) {
-  std::map<std::string, std::string> channels_by_writer;
-  for (const ChannelReport& channel : report.channels) {
-    if (!is_its_robot(wish, census::robot_of(channel.channel)) || !shall_write(wish, channel.channel)) continue;
-    for (const std::string& writer : other_writers(report, wish, channel)) {
-      std::string& names = channels_by_writer[writer];
-      names += (names.empty() ? "" : ", ") + channel.channel;
-    }
-  }
+  const auto channels_by_writer = writers_in_the_way(report, wish);
   std::vector<std::string> lines;
   for (const auto& [writer, names] : channels_by_writer) {
     lines.push_back(reflection::printable(writer + " writes " + names));

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "common/bus/sequence_monitor.hpp"
-
 namespace markservo::bus_top {
 namespace {
 
@@ -33,13 +31,13 @@ void ChannelWatch::follow(std::int64_t session, std::int64_t seq, double now) {
         return one.second.heard < other.second.heard;
       }));
     }
-    writers_[session] = {now, seq};
     ++sessions_;
-    return;
   }
-  Writer& writer = known->second;
-  if (lost_) lost_ = std::min(*lost_ + bus::sequence_gap(writer.seq, seq), bus::kMaxLost);
-  writer = {now, std::max(writer.seq, seq)};  // one that comes late or twice loses nothing
+  Writer& writer = writers_[session];
+  writer.heard = now;
+  const int64_t before = writer.gaps.lost();
+  writer.gaps.observe(seq);
+  if (lost_) lost_ = std::min(*lost_ + writer.gaps.lost() - before, bus::kMaxLost);
 }
 
 ChannelFigures ChannelWatch::figures(double now) const {

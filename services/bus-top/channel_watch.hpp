@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "common/bus/gap_counter.hpp"
 #include "common/reflection/message_note.hpp"
 
 namespace markservo::bus_top {
@@ -51,8 +52,8 @@ class ChannelWatch {
     std::size_t bytes;
   };
   struct Writer {
-    double heard;
-    std::int64_t seq;
+    double heard = 0.0;
+    bus::GapCounter gaps;
   };
 
   void follow(std::int64_t session, std::int64_t seq, double now);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/bus/sequence_monitor.hpp"
+#include "common/bus/gap_counter.hpp"
 #include "services/log-tool/log_event.hpp"
 
 namespace markservo::log_tool {
@@ -16,7 +16,7 @@ using reflection::Kind;
 using reflection::MessageType;
 
 struct SessionRecord {
-  std::int64_t seq = 0;
+  bus::GapCounter gaps;
   std::int64_t utime = 0;
 };
 
@@ -81,14 +81,14 @@ class ChannelStatistics {
   void note_sequence(const reflection::Fields& fields) {
     const std::int64_t seq = integer_in(fields, "seq", 0);
     const std::int64_t utime = integer_in(fields, "utime", 0);
-    const auto [record, first] = sessions_.try_emplace(integer_in(fields, "session", 0), SessionRecord{seq, utime});
-    if (first) {
-      ++summary_.sessions;
-      return;
-    }
-    summary_.lost = std::min(*summary_.lost + bus::sequence_gap(record->second.seq, seq), bus::kMaxLost);
-    if (utime < record->second.utime) ++summary_.time_reversals;
-    record->second = {std::max(seq, record->second.seq), utime};
+    const auto [found, first] = sessions_.try_emplace(integer_in(fields, "session", 0));
+    SessionRecord& record = found->second;
+    if (first) ++summary_.sessions;
+    if (!first && utime < record.utime) ++summary_.time_reversals;
+    record.utime = utime;
+    const std::int64_t before = record.gaps.lost();
+    record.gaps.observe(seq);
+    summary_.lost = std::min(*summary_.lost + record.gaps.lost() - before, bus::kMaxLost);
   }
 
   const reflection::TypeCatalog& catalog_;

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <lcm/lcm-cpp.hpp>
 #include <stdexcept>
 #include <thread>
 
-#include "common/bus/bus.hpp"
+#include "common/bus/bus_unavailable.hpp"
+#include "common/bus/connection.hpp"
 #include "common/bus/end_signals.hpp"
 #include "common/bus/listener.hpp"
-#include "common/bus/network_check.hpp"
 #include "common/reflection/value_text.hpp"
 #include "common/time/clocks.hpp"
 #include "services/log-tool/play_choice.hpp"
@@ -59,16 +58,18 @@ void refuse_a_second_writer(const PlayPlan& plan, const PlayWishes& wishes, cons
 
 class Player {
  public:
-  explicit Player(const std::string& url) : lcm_(url) {
-    if (!lcm_.good()) throw bus::BusUnavailable("bus " + url + ": cannot be joined; " + bus::multicast_route_advice());
+  explicit Player(const std::string& url) : connection_(url, nullptr) {
+    if (!connection_.open()) throw bus::BusUnavailable("bus " + url + ": cannot be joined: " + connection_.trouble());
   }
 
   void send(const Event& event) {
-    if (lcm_.publish(std::string(event.channel), event.data.data, static_cast<unsigned int>(event.data.size)) == 0) {
+    const auto now = std::chrono::steady_clock::now();
+    connection_.mend(now);
+    if (connection_.publish(std::string(event.channel), event.data.data, event.data.size, now)) {
       ++sent_;
     } else if (failed_++ == 0) {
-      first_failure_ =
-          reflection::printable(std::string(event.channel)) + " of " + std::to_string(event.data.size) + " bytes";
+      first_failure_ = reflection::printable(std::string(event.channel)) + " of " + std::to_string(event.data.size) +
+                       " bytes: " + connection_.refused_sends(now).reason;
     }
   }
 
@@ -77,7 +78,7 @@ class Player {
   const std::string& first_failure() const { return first_failure_; }
 
  private:
-  lcm::LCM lcm_;
+  bus::Connection connection_;
   std::int64_t sent_ = 0;
   std::int64_t failed_ = 0;
   std::string first_failure_;

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -41,9 +42,14 @@ void AnsweringDevice::serve() {
   constexpr int kLook_ms = 100;  // how soon the end is noticed
   while (!stopped_) {
     pollfd waiting{descriptor_, POLLIN, 0};
-    if (poll(&waiting, 1, kLook_ms) <= 0) continue;
-    const int client = accept4(descriptor_, nullptr, nullptr, SOCK_CLOEXEC);
-    if (client < 0) continue;
+    const int ready = poll(&waiting, 1, kLook_ms);
+    if (ready == 0) continue;
+    const int client = ready < 0 ? -1 : accept4(descriptor_, nullptr, nullptr, SOCK_CLOEXEC);
+    if (client < 0) {
+      // Where no descriptors are left, neither waits.
+      std::this_thread::sleep_for(std::chrono::milliseconds(kLook_ms));
+      continue;
+    }
     const timeval patience{2, 0};  // one that does not read must not keep the others waiting
     setsockopt(client, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
     const std::string text = answer_();

@@ -110,7 +110,10 @@ void GroupDevice::poll(std::chrono::milliseconds timeout, const std::function<vo
     return;
   }
   pollfd waiting{descriptor_, POLLIN, 0};
-  if (::poll(&waiting, 1, static_cast<int>(timeout.count())) <= 0) return;
+  const int ready = ::poll(&waiting, 1, static_cast<int>(timeout.count()));
+  // It does not wait where no descriptors are allowed at all.
+  if (ready < 0 && errno != EINTR) std::this_thread::sleep_for(timeout);
+  if (ready <= 0) return;
   for (int count = 0; count < kMost; ++count) {
     sockaddr_in from{};
     socklen_t from_size = sizeof from;

@@ -26,6 +26,8 @@ class RecentCensus {
 
   explicit RecentCensus(Instant now) : older_(now.wall_us), newer_(now.wall_us), turned_us_(now.steady_us) {}
 
+  // What the stack's supervisor runs: others cannot crowd it out.
+  void know(const census::KnownProcesses& known);
   void hear(const census::Heard& message);
   void hear(const census::ServiceWord& word, Instant now);
   // To be called once a second at least.
@@ -43,11 +45,12 @@ class RecentCensus {
     int64_t heard_us = 0;  // steady
   };
   // More processes no bus has: a hostile writer must not take all memory.
-  static constexpr std::size_t kMaxProcesses = 2048;
+  static constexpr std::size_t kMaxProcesses = 1024;
   static constexpr int64_t kForgotten_us = 60'000'000;
 
   census::Census older_;
   census::Census newer_;
+  census::KnownProcesses known_;
   int64_t turned_us_;
   std::map<Process, State> states_;
 };

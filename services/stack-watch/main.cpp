@@ -38,7 +38,8 @@ int main(int argc, char** argv) {
   app.add_option("--robot", settings.robot, "Prefix of all channels, for several robots on one bus");
   app.add_option("--supervisor", settings.supervisor, "supervisord's socket")->required();
   app.add_option("--socket", socket, "Where it answers")->required();
-  app.add_option("--silence", silence_s, "A service that spoke and then says nothing for so long is killed, s")
+  app.add_option("--silence", silence_s,
+                 "A service that spoke and then says nothing for so long is killed, s (for its first word: 15 s)")
       ->check(CLI::Range(2.0, 3600.0))
       ->capture_default_str();
   return markservo::bus::run_tool(app, argc, argv, [&] {

@@ -2,27 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace markservo::stack_watch {
 
 void SilenceWatch::hear_word(const std::string& name, int pid, int64_t session, int64_t now_us) {
   const Key key{name, pid};
-  if (speakers_.size() >= kMaxSpeakers && speakers_.count(key) == 0) return;
-  Speaker& speaker = speakers_[key];
+  const auto found = speakers_.find(key);
+  if (found == speakers_.end()) return;
+  Speaker& speaker = found->second;
   if (speaker.session != session) {
     speaker_of_.erase(speaker.session);
     speaker.session = session;
     speaker_of_[session] = key;
   }
-  speaker.heard_us = now_us;
-  speaker.counted_us = std::max(speaker.counted_us, now_us);
+  speaker.spoke = true;
+  have_spoken_.insert(name);
+  hear_of(key, now_us);
 }
 
 void SilenceWatch::hear_session(int64_t session, int64_t now_us) {
   const auto key = speaker_of_.find(session);
-  if (key == speaker_of_.end()) return;
-  Speaker& speaker = speakers_[key->second];
+  if (key != speaker_of_.end()) hear_of(key->second, now_us);
+}
+
+void SilenceWatch::hear_of(const Key& key, int64_t now_us) {
+  Speaker& speaker = speakers_[key];
   speaker.heard_us = now_us;
   speaker.counted_us = std::max(speaker.counted_us, now_us);
 }
@@ -46,22 +50,36 @@ void SilenceWatch::hear_beacon(int64_t now_us) {
 }
 
 std::vector<SilentService> SilenceWatch::tick(const std::vector<RunningProcess>& processes, int64_t now_us) {
-  forget_all_but(processes);
+  follow(processes, now_us);
   if (ticked_us_ >= 0 && now_us - ticked_us_ > parameters_.leap_us) count_anew(now_us);
   ticked_us_ = now_us;
   std::vector<SilentService> silent;
   if (bus_is_gone() || heard_no_beacon_) return silent;
   for (auto& [key, speaker] : speakers_) {
-    if (now_us - speaker.counted_us < limit_us()) continue;
-    silent.push_back({key.first, key.second, now_us - speaker.heard_us});
+    if (!is_silent(key, speaker, now_us)) continue;
+    silent.push_back({key.first, key.second, now_us - speaker.heard_us, speaker.spoke});
     speaker.counted_us = now_us;
   }
   return silent;
 }
 
-void SilenceWatch::forget_all_but(const std::vector<RunningProcess>& processes) {
+bool SilenceWatch::is_silent(const Key& key, const Speaker& speaker, int64_t now_us) {
+  const int64_t limit = speaker.spoke ? limit_us() : std::max(limit_us(), parameters_.start_us);
+  if (now_us - speaker.counted_us < limit) return false;
+  if (speaker.spoke || have_spoken_.count(key.first) > 0) return true;
+  if (mute_[key.first] >= parameters_.mute_in_a_row) return false;
+  ++mute_[key.first];
+  return true;
+}
+
+void SilenceWatch::follow(const std::vector<RunningProcess>& processes, int64_t now_us) {
   std::set<Key> running;
-  for (const RunningProcess& process : processes) running.insert({process.name, process.pid});
+  for (const RunningProcess& process : processes) {
+    const Key key{process.name, process.pid};
+    running.insert(key);
+    Speaker& speaker = speakers_.try_emplace(key, Speaker{false, 0, now_us, now_us}).first->second;
+    if (!speaker.spoke && !process.must_speak) speaker.heard_us = speaker.counted_us = now_us;
+  }
   for (auto speaker = speakers_.begin(); speaker != speakers_.end();) {
     if (running.count(speaker->first) > 0) {
       ++speaker;
@@ -85,7 +103,7 @@ int64_t SilenceWatch::limit_us() const {
 
 int64_t SilenceWatch::silent_for_us(const std::string& name, int pid, int64_t now_us) const {
   const auto speaker = speakers_.find({name, pid});
-  return speaker == speakers_.end() ? -1 : now_us - speaker->second.heard_us;
+  return speaker == speakers_.end() || !speaker->second.spoke ? -1 : now_us - speaker->second.heard_us;
 }
 
 void SilenceWatch::count_anew(int64_t from_us) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,11 @@ namespace markservo::stack_watch {
 struct SilenceParameters {
   // Five words are missed then, of one a second, and a machine under load delays one by 1 to 2 s.
   int64_t silence_us = 5'000'000;
+  // For the first word: a service reads its files before, which takes a loaded machine several seconds.
+  int64_t start_us = 15'000'000;
+  // So many processes of a name in a row are told that say no word, where none of that name ever did: it may speak on
+  // another bus.
+  int mute_in_a_row = 3;
   // Longer between two ticks, and the watch itself was held up: it knows nothing of that time.
   int64_t leap_us = 1'000'000;
   // Own words that do not come back one after another before the bus counts as gone. One a second.
@@ -30,13 +36,17 @@ struct SilenceParameters {
 struct RunningProcess {
   std::string name;
   int pid = 0;
+  // By its command line it is the service itself, on this bus: it must speak. What makes it wait before it begins is
+  // not.
+  bool must_speak = false;
 };
 
-// One that spoke and does not any more.
+// One that spoke and does not any more, or that never began.
 struct SilentService {
   std::string name;
   int pid = 0;
   int64_t silent_us = 0;
+  bool spoke = false;
 };
 
 class SilenceWatch {
@@ -52,7 +62,7 @@ class SilenceWatch {
   void hear_beacon(int64_t now_us);
 
   // To be called at least four times a second: those silent for too long, of the processes that run now. Each is told
-  // once, and then counted anew; one that never spoke, or that is not in `processes`, is never told.
+  // once, and then counted anew. One that is not in `processes` is never told, nor listened to.
   std::vector<SilentService> tick(const std::vector<RunningProcess>& processes, int64_t now_us);
 
   // Own words do not come back: nobody can be judged.
@@ -65,21 +75,24 @@ class SilenceWatch {
  private:
   using Key = std::pair<std::string, int>;  // name and pid
   struct Speaker {
+    bool spoke = false;
     int64_t session = 0;
-    int64_t heard_us = 0;    // the last sign of life
+    int64_t heard_us = 0;    // the last sign of life, or since when it must speak
     int64_t counted_us = 0;  // silence counts from here
   };
 
-  void forget_all_but(const std::vector<RunningProcess>& processes);
+  void hear_of(const Key& key, int64_t now_us);
+  void follow(const std::vector<RunningProcess>& processes, int64_t now_us);
+  bool is_silent(const Key& key, const Speaker& speaker, int64_t now_us);
   void count_anew(int64_t from_us);
 
-  // Between two ticks; a hostile writer's names must not take all memory, and more services no stack has.
-  static constexpr std::size_t kMaxSpeakers = 1000;
   static constexpr std::size_t kBeaconsKept = 20;
 
   SilenceParameters parameters_;
-  std::map<Key, Speaker> speakers_;
+  std::map<Key, Speaker> speakers_;    // the processes of the last tick
   std::map<int64_t, Key> speaker_of_;  // by session
+  std::set<std::string> have_spoken_;  // names, of a process of the stack
+  std::map<std::string, int> mute_;    // how many processes of a name in a row were told that said no word
   std::deque<bool> beacons_;           // the last ones, the newest at the end: whether it came back
   int beacons_in_a_row_missed_ = 0;
   bool heard_no_beacon_ = true;  // until the first comes back

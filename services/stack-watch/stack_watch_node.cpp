@@ -8,25 +8,24 @@ extern "C" {
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <markservo/ServiceStatus.hpp>
 #include <markservo/channels.hpp>
-#include <nlohmann/json.hpp>
 
 #include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
 #include "common/bus/session.hpp"
 #include "common/census/census_messages.hpp"
-#include "common/census/census_text.hpp"
-#include "common/reflection/value_text.hpp"
 #include "common/time/clocks.hpp"
+#include "services/stack-watch/command_line.hpp"
 #include "services/stack-watch/supervisor_reader.hpp"
 
 namespace markservo::stack_watch {
 namespace {
 
 using std::chrono::milliseconds;
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kName = census::kStackWatch;
 constexpr milliseconds kTick{200};
@@ -34,10 +33,6 @@ constexpr int64_t kSecond_us = 1'000'000;
 constexpr int64_t kTold_us = 60 * kSecond_us;  // how long SERVICE_STATUS tells of what happened
 constexpr std::size_t kKillsKept = 20;
 constexpr std::size_t kMaxReason = 200;  // bytes, as any text on the bus
-
-Instant now() {
-  return {wall_clock_us(), steady_clock_us()};
-}
 
 bool runs(const SupervisedProcess& process) {
   return process.pid > 0 && process.name != kName && (process.state == "RUNNING" || process.state == "STARTING");
@@ -134,7 +129,7 @@ void StackWatchNode::tick() {
     const std::lock_guard<std::mutex> lock(mutex_);
     const Instant when = now();
     recent_.tick(when);
-    silent = silence_.tick(running(), when.steady_us);
+    silent = silence_.tick(supervised_.running, when.steady_us);
   }
   for (const SilentService& service : silent) kill_if_supervised(service);
 }
@@ -143,7 +138,10 @@ void StackWatchNode::tick() {
 // go to another process in between.
 void StackWatchNode::kill_if_supervised(const SilentService& silent) {
   const int descriptor = pidfd_open(silent.pid, 0);
-  if (descriptor < 0) return;
+  if (descriptor < 0) {
+    if (errno != ESRCH) spdlog::warn("{} is silent, but cannot be killed: {}", silent.name, std::strerror(errno));
+    return;
+  }
   try {
     const auto processes = ask_supervisor(settings_.supervisor);
     const bool same = std::any_of(processes.begin(), processes.end(), [&silent](const SupervisedProcess& process) {
@@ -151,12 +149,13 @@ void StackWatchNode::kill_if_supervised(const SilentService& silent) {
     });
     if (same && pidfd_send_signal(descriptor, SIGKILL, nullptr, 0) == 0) {
       const double silent_s = 1e-6 * static_cast<double>(silent.silent_us);
-      spdlog::warn("{} (pid {}) said nothing on the bus for {:.1f} s: killed", silent.name, silent.pid, silent_s);
+      spdlog::warn("{} (pid {}) said nothing on the bus for {:.1f} s{}: killed", silent.name, silent.pid, silent_s,
+                   silent.spoke ? "" : " from its start on");
       const std::lock_guard<std::mutex> lock(mutex_);
-      kills_.push_back({silent.name, silent.pid, silent_s, wall_clock_us()});
+      kills_.push_back({silent.name, silent.pid, silent_s, silent.spoke, wall_clock_us()});
       if (kills_.size() > kKillsKept) kills_.pop_front();
     }
-  } catch (const SupervisorSilent& error) {
+  } catch (const std::runtime_error& error) {
     spdlog::warn("{} (pid {}) is silent, but is not killed: {}", silent.name, silent.pid, error.what());
   }
   close(descriptor);
@@ -168,33 +167,48 @@ void StackWatchNode::ask_for_processes() {
     try {
       answer.processes = ask_supervisor(settings_.supervisor);
       answer.alive = true;
+      for (const SupervisedProcess& process : answer.processes) {
+        if (!runs(process)) continue;
+        const bool speaks = must_speak(command_line_of(process.pid), process.name, settings_.url);
+        answer.running.push_back({process.name, process.pid, speaks});
+      }
     } catch (const SupervisorSilent& error) {
       answer.why_not = error.what();
+    } catch (const CannotAsk& error) {
+      answer.cannot_ask = error.what();
     }
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      const bool changed = answer.alive != supervised_.alive;
-      if (!answer.alive) answer.processes = supervised_.processes;
-      answer.ever_alive = answer.alive || supervised_.ever_alive;
-      answer.changed_us = changed ? wall_clock_us() : supervised_.changed_us;
-      supervised_ = answer;
-      if (changed && !answer.alive) {
-        spdlog::error("the supervisor is dead ({}); services still run: {}", answer.why_not, orphans());
-      } else if (changed) {
-        spdlog::info("the supervisor answers");
-      }
-    }
+    note_answer(std::move(answer));
     for (int i = 0; i < 10 && !ended_; ++i) std::this_thread::sleep_for(milliseconds(100));
   }
 }
 
-std::vector<RunningProcess> StackWatchNode::running() const {
-  // A supervisor that is busy for a moment makes nobody forget who spoke: its last word counts until the next.
-  std::vector<RunningProcess> processes;
-  for (const SupervisedProcess& process : supervised_.processes) {
-    if (runs(process)) processes.push_back({process.name, process.pid});
+// A supervisor that is busy for a moment, or cannot be asked, makes nobody forget who runs: its last word counts until
+// the next.
+void StackWatchNode::note_answer(Supervised answer) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (answer.cannot_ask != supervised_.cannot_ask && !answer.cannot_ask.empty()) {
+    spdlog::error("the supervisor cannot be asked ({}): nobody is killed for silence", answer.cannot_ask);
   }
-  return processes;
+  if (!answer.cannot_ask.empty()) {
+    supervised_.cannot_ask = answer.cannot_ask;
+    return;
+  }
+  const bool changed = answer.alive != supervised_.alive;
+  answer.ever_alive = answer.alive || supervised_.ever_alive;
+  answer.changed_us = changed ? wall_clock_us() : supervised_.changed_us;
+  if (!answer.alive) {
+    answer.processes = supervised_.processes;
+    answer.running = supervised_.running;
+  }
+  supervised_ = std::move(answer);
+  if (changed && !supervised_.alive) {
+    spdlog::error("the supervisor is dead ({}); services still run: {}", supervised_.why_not, orphans());
+  } else if (changed) {
+    spdlog::info("the supervisor answers");
+  }
+  census::KnownProcesses known{host_, {}};
+  for (const RunningProcess& process : supervised_.running) known.processes.insert({process.name, process.pid});
+  recent_.know(known);
 }
 
 std::string StackWatchNode::orphans() const {
@@ -208,7 +222,8 @@ std::string StackWatchNode::orphans() const {
 
 std::string StackWatchNode::reason(bool* well) const {
   const int64_t wall_us = wall_clock_us();
-  *well = supervised_.alive || !supervised_.ever_alive;
+  *well = supervised_.cannot_ask.empty() && (supervised_.alive || !supervised_.ever_alive);
+  if (!supervised_.cannot_ask.empty()) return "the supervisor cannot be asked: " + supervised_.cannot_ask;
   if (!*well) return "the supervisor is dead; services still run: " + orphans();
   if (!kills_.empty() && wall_us - kills_.back().utime < kTold_us) {
     return kills_.back().name + " (pid " + std::to_string(kills_.back().pid) + ") said nothing for " +
@@ -241,39 +256,6 @@ void StackWatchNode::speak() {
   const std::string channel =
       (settings_.robot.empty() ? "" : settings_.robot + "/") + std::string(channels::kServiceStatus.name);
   socket_.send(short_message(static_cast<std::uint32_t>(seq_), channel, payload));
-}
-
-std::string StackWatchNode::answer() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const Instant when = now();
-  const census::Report report = recent_.report(when);
-  Json json = {{"url", settings_.url}, {"host", host_}, {"version", MARKSERVO_VERSION}};
-  json.update(census::json_of(report));
-  for (std::size_t i = 0; i < report.services.size(); ++i) {
-    const auto since_us = recent_.state_since_us(report.services[i].newest);
-    json["services"][i]["state_for_s"] = since_us ? Json(1e-6 * static_cast<double>(when.wall_us - *since_us)) : Json();
-  }
-  Json kills = Json::array();
-  for (const Kill& each : kills_) {
-    kills.push_back({{"name", each.name}, {"pid", each.pid}, {"silent_s", each.silent_s}, {"utime", each.utime}});
-  }
-  Json services = Json::array();
-  for (const RunningProcess& process : running()) {
-    const int64_t silent_us = silence_.silent_for_us(process.name, process.pid, when.steady_us);
-    services.push_back({{"name", process.name},
-                        {"pid", process.pid},
-                        {"silent_s", silent_us < 0 ? Json() : Json(1e-6 * static_cast<double>(silent_us))}});
-  }
-  json["watch"] = {{"pid", getpid()},
-                   {"bus", bus_problem_.empty() ? Json() : Json("the bus is gone: " + bus_problem_)},
-                   {"bus_changed_utime", bus_changed_us_},
-                   {"supervisor", supervised_.alive},
-                   {"supervisor_changed_utime", supervised_.changed_us},
-                   {"silence_limit_s", 1e-6 * static_cast<double>(silence_.limit_us())},
-                   {"processes", services},
-                   {"kills", kills},
-                   {"crafted_fragments", crafted_}};
-  return reflection::json_text(json, -1);
 }
 
 }  // namespace markservo::stack_watch

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "common/time/clocks.hpp"
 #include "services/stack-watch/group_device.hpp"
 #include "services/stack-watch/heard.hpp"
 #include "services/stack-watch/lcm_datagram.hpp"
@@ -15,6 +16,10 @@
 #include "services/stack-watch/supervisor_words.hpp"
 
 namespace markservo::stack_watch {
+
+inline Instant now() {
+  return {wall_clock_us(), steady_clock_us()};
+}
 
 struct StackWatchSettings {
   std::string url;         // of the bus
@@ -42,15 +47,18 @@ class StackWatchNode {
   // What the supervisor said last.
   struct Supervised {
     std::vector<SupervisedProcess> processes;
+    std::vector<RunningProcess> running;  // of them
     bool alive = false;
     bool ever_alive = false;
     int64_t changed_us = 0;  // wall clock: since when it is alive, or is not
     std::string why_not;
+    std::string cannot_ask;  // why it was not asked last; empty where it was
   };
   struct Kill {
     std::string name;
     int pid = 0;
     double silent_s = 0.0;
+    bool spoke = false;
     int64_t utime = 0;  // wall clock, us
   };
 
@@ -60,7 +68,7 @@ class StackWatchNode {
   void keep_bus();
   void kill_if_supervised(const SilentService& silent);
   void ask_for_processes();
-  std::vector<RunningProcess> running() const;
+  void note_answer(Supervised answer);
   std::string orphans() const;
   std::string reason(bool* well) const;
 

@@ -15,7 +15,7 @@ namespace {
 class Connection {
  public:
   explicit Connection(const std::string& path) : descriptor_(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-    if (descriptor_ < 0) fail("socket");
+    if (descriptor_ < 0) throw CannotAsk(std::strerror(errno));
     try {
       join(path);
     } catch (...) {

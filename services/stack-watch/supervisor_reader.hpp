@@ -14,7 +14,13 @@ class SupervisorSilent : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Asks supervisord on its socket at `path` for all its processes; it has 2 s. Throws SupervisorSilent.
+// It cannot be asked from here, for want of descriptors or memory: that says nothing of it.
+class CannotAsk : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Asks supervisord on its socket at `path` for all its processes; it has 2 s. Throws SupervisorSilent and CannotAsk.
 std::vector<SupervisedProcess> ask_supervisor(const std::string& path);
 
 }  // namespace markservo::stack_watch

@@ -3,6 +3,10 @@
 
 failures=0
 
+# A command that ends the test, where nothing was expected of it, is said.
+set -E
+trap 'if ((BASH_SUBSHELL == 0)); then printf "FAILED  %s, line %d: %s\n" "${BASH_SOURCE[0]##*/}" "$LINENO" "$BASH_COMMAND"; fi' ERR
+
 # expect WHAT COMMAND...: the named behaviour holds when COMMAND succeeds.
 expect() {
   local what=$1
@@ -17,6 +21,7 @@ expect() {
 
 # end_of_test: the test's last command.
 end_of_test() {
+  trap - ERR
   printf '%d failed\n' "$failures"
   ((failures == 0))
 }

@@ -52,6 +52,26 @@ TEST(Room, IsNotWhereWhatOneAloneMayWriteIsWritten) {
             Lines{"arm-driver (process 41 on here) writes JOINT_STATE"});
 }
 
+TEST(Room, IsWhereOnesOwnProcessWritesThatHasNotSpokenYet) {
+  Report report = bus_with("simulator", "JOINT_STATE");
+  report.services.clear();
+  RoomWish wish = wish_for("simulator");
+  EXPECT_TRUE(somebody_is_unknown(report, wish));
+  wish.own_sessions = {kSession};
+  EXPECT_FALSE(somebody_is_unknown(report, wish));
+  EXPECT_EQ(obstacles(report, wish), Lines{});
+}
+
+TEST(Room, IsWhereAnotherClaimsTheSessionOfOnesOwnProcess) {
+  Report report = bus_with("simulator", "JOINT_STATE");
+  report.services.insert(report.services.begin(), report.services[0]);
+  report.services[0].newest.name = "liar";
+  report.services[0].newest.pid = 1;
+  RoomWish wish = wish_for("simulator");
+  wish.own = {kPid};
+  EXPECT_EQ(obstacles(report, wish), Lines{});
+}
+
 TEST(Room, IsNotBesideAWriterWhoDoesNotSayWhoItIs) {
   Report report = bus_with("arm-driver", "JOINT_STATE");
   report.services.clear();

@@ -25,12 +25,13 @@ MessageNote pose(std::int64_t seq) {
 TEST(ChannelTable, HasALineForEachChannelByName) {
   BusWatch watch;
   watch.observe("TARGET_POSE", pose(1), "abc", 0.0);
-  watch.observe("TARGET_POSE", pose(3), "abc", 0.5);
+  watch.observe("TARGET_POSE", pose(3), "abc", 0.25);
+  watch.observe("TARGET_POSE", pose(4), "abc", 0.5);
   watch.observe("A", pose(1), "abc", 0.0);
   const auto lines = channel_table(watch, 0.7).lines;
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0].channel, "A");
-  EXPECT_EQ(lines[1].text, "TARGET_POSE  TargetPose     2.0     6 B/s    0.2 s      1           0       1");
+  EXPECT_EQ(lines[1].text, "TARGET_POSE  TargetPose     4.0    12 B/s    0.2 s      1           0       1");
   EXPECT_EQ(channel_table(watch, 0.7).heading,
             "channel      type            Hz bandwidth      age   lost undecodable writers");
   EXPECT_TRUE(lines[1].trouble);

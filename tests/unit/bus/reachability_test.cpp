@@ -1,13 +1,20 @@
 #include "common/bus/reachability.hpp"
 
+#include <arpa/inet.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
+#include <chrono>
 #include <string>
+#include <thread>
 
 #include "common/bus/bus.hpp"
+#include "common/bus/connection.hpp"
 #include "tests/unit/bus/memq_bus.hpp"
 
 namespace markservo::bus {
@@ -43,6 +50,64 @@ TEST(Reachability, ServerThatIsMissingIsToldInOneLine) {
     EXPECT_NE(what.find("no LCM server at 127.0.0.1:1 (Connection refused)"), std::string::npos) << what;
     EXPECT_EQ(what.find('\n'), std::string::npos);
   }
+}
+
+// A server whose queue of callers is full: the kernel drops what others send to connect, as a firewall does.
+class SilentServer {
+ public:
+  SilentServer() {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    auto* raw = reinterpret_cast<sockaddr*>(&address);
+    listening_ = socket(AF_INET, SOCK_STREAM, 0);
+    bind(listening_, raw, size);
+    listen(listening_, 0);
+    getsockname(listening_, raw, &size);
+    port_ = ntohs(address.sin_port);
+    for (int& caller : callers_) {
+      caller = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0);
+      connect(caller, raw, size);
+    }
+  }
+  ~SilentServer() {
+    for (const int caller : callers_) close(caller);
+    close(listening_);
+  }
+  SilentServer(const SilentServer&) = delete;
+  SilentServer& operator=(const SilentServer&) = delete;
+  std::string url() const { return "tcpq://127.0.0.1:" + std::to_string(port_); }
+
+ private:
+  int listening_ = -1;
+  int port_ = 0;
+  std::array<int, 4> callers_{};
+};
+
+TEST(Reachability, ServerThatDoesNotAnswerIsNotWaitedForLong) {
+  const SilentServer server;
+  const auto begin = std::chrono::steady_clock::now();
+  const Reachability found = reach(server.url(), true);
+  EXPECT_EQ(found.kind, Kind::kMissing) << found.reason;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
+}
+
+TEST(Connection, IsNotKeptFromItsWorkByAServerThatDoesNotAnswer) {
+  const SilentServer server;
+  Connection connection(server.url(), nullptr);
+  EXPECT_FALSE(connection.open());
+  const auto begin = std::chrono::steady_clock::now();
+  const std::chrono::milliseconds span(3000);
+  std::chrono::steady_clock::duration kept{};
+  while (std::chrono::steady_clock::now() - begin < span) {
+    const auto now = std::chrono::steady_clock::now();
+    connection.mend(now);
+    EXPECT_FALSE(connection.publish("STOP", "x", 1, now));
+    kept += std::chrono::steady_clock::now() - now;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  EXPECT_LT(kept, span / 2);
 }
 
 class WithoutDescriptors : public ::testing::Test {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <limits>
 
 namespace markservo::bus {
 namespace {
@@ -13,28 +14,42 @@ int64_t lost(std::initializer_list<int64_t> numbers) {
   return monitor.lost();
 }
 
-TEST(SequenceMonitor, CountsGaps) {
-  EXPECT_EQ(lost({1, 2, 5, 6, 10}), 5);
-  EXPECT_EQ(lost({10, 9, 11, 9, 12}), 0) << "late or twice";
-}
-
-TEST(SequenceMonitor, CountsALongGapOnceTheNextGoesOnFromIt) {
+TEST(SequenceMonitor, CountsAGapOnceTheNextGoesOnFromIt) {
+  EXPECT_EQ(lost({1, 2, 5}), 0);
+  EXPECT_EQ(lost({1, 2, 5, 6}), 2);
+  EXPECT_EQ(lost({1, 2, 5, 6, 10, 11}), 5);
+  EXPECT_EQ(lost({1, 3, 5, 7, 9, 10}), 4) << "every other one";
   EXPECT_EQ(lost({1, 2, 5000}), 0);
   EXPECT_EQ(lost({1, 2, 5000, 5001}), 4997);
-  EXPECT_EQ(lost({1, 2, 5000, 5003}), 4999);
-  EXPECT_EQ(lost({1, 2, 5000, 5001, 5003}), 4998);
+  EXPECT_EQ(lost({1, 2, 5000, 5003, 5004}), 4999);
+}
+
+TEST(SequenceMonitor, LosesNothingByOneThatComesLateOrTwiceOrBeforeItsTurn) {
+  EXPECT_EQ(lost({10, 9, 11, 9, 12}), 0);
+  EXPECT_EQ(lost({1, 2, 4, 3, 5, 6}), 0);
+  EXPECT_EQ(lost({1, 2, 4, 2, 5}), 1) << "one that comes again denies nothing";
 }
 
 TEST(SequenceMonitor, IsNotSpoiltByANumberThatLies) {
-  constexpr int64_t kMost = int64_t{1} << 53;
-  EXPECT_EQ(lost({1, 2, kMost, 3, 4, 6}), 1);
-  EXPECT_EQ(lost({5000, 5001, 0, 5002, 5004}), 1);
-  EXPECT_EQ(lost({1, kMost, 2, kMost, 3, kMost, 4}), 0) << "again and again";
+  EXPECT_EQ(lost({1, 2, kMaxLost, 3, 4, 6, 7}), 1);
+  EXPECT_EQ(lost({1, 2, 102, 3, 4, 6, 7}), 1) << "a lie that is near";
+  EXPECT_EQ(lost({1, 2, 102, 4, 5, 7, 8}), 2) << "right before a loss";
+  EXPECT_EQ(lost({5000, 5001, 0, 5002, 5004, 5005}), 1);
+  EXPECT_EQ(lost({1, kMaxLost, 2, kMaxLost, 3, kMaxLost, 4}), 0) << "again and again";
 }
 
-TEST(SequenceMonitor, CountsNoMoreThanCanBe) {
-  constexpr int64_t kMost = int64_t{1} << 53;
-  EXPECT_LE(lost({0, kMost - 1, kMost}), kMaxLost);
+TEST(SequenceMonitor, CountsSoMuchForTwoNumbersThatLieAndGoesOn) {
+  EXPECT_EQ(lost({1, 2, kMaxLost - 1, kMaxLost}), 10'000);
+  EXPECT_EQ(lost({1, 2, kMaxLost - 1, kMaxLost, 3, 4, 6, 7}), 10'001);
+  EXPECT_EQ(lost({1, std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::min(), 2, 3}), 0);
+}
+
+TEST(SequenceMonitor, AddsUpWhatWasLostInEachSession) {
+  SequenceMonitor monitor;
+  for (const int64_t session : {7, 8}) {
+    for (const int64_t seq : {1, 3, 4}) monitor.observe(session, seq);
+  }
+  EXPECT_EQ(monitor.lost(), 2);
 }
 
 TEST(SequenceMonitor, ForgetsASecondWriterOnceOneAloneHasSentLongEnough) {

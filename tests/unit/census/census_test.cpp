@@ -64,7 +64,7 @@ TEST(Census, TakesTheWholeSpanForTheRateOfAFewMessages) {
 TEST(Census, CountsGapsInTheNumbersAsLost) {
   Census census(kBegin_us);
   census.hear(message("POSE", 0, 5, 1));
-  census.hear(message("POSE", 1, 5, 4));
+  for (const int64_t seq : {4, 5}) census.hear(message("POSE", seq, 5, seq));
   EXPECT_EQ(channel_of(census, "POSE").lost, 2);
 }
 
@@ -148,6 +148,37 @@ TEST(Census, TellsHowFarAnotherClockIsOffByTheQuickestMessage) {
   EXPECT_NEAR(report.services[0].clock_behind_s, -0.6, 1e-9);
   EXPECT_NEAR(report.services[0].silent_s, 0.5, 1e-9);
   EXPECT_EQ(report.services[0].heard, 2);
+}
+
+TEST(Census, BelievesTheProcessThatIsKnownOfTwoThatClaimOneSession) {
+  for (const bool known_speaks_first : {true, false}) {
+    Census census(kBegin_us);
+    census.know({"here", {{"locator", 10}}});
+    if (known_speaks_first) census.hear(word("locator", 10, 5, 0), kBegin_us);
+    for (const int64_t at : {1, 2, 3}) census.hear(word("liar", 99, 5, at), kBegin_us + at);
+    if (!known_speaks_first) census.hear(word("locator", 10, 5, 4), kBegin_us + 4);
+    hear_stream(census, "POSE", 3, 5);
+    const Report report = census.report(kBegin_us + kSecond_us);
+    EXPECT_EQ(report.channels.at(0).writers.at(0).service, "locator");
+    for (const ServiceReport& service : report.services) EXPECT_EQ(service.writes.empty(), service.newest.pid == 99);
+  }
+}
+
+TEST(Census, KeepsABoundedNumberOfWritersAndOfChannelsThatServicesTellOf) {
+  Census census(kBegin_us);
+  std::size_t writers = 0;
+  std::size_t words = 0;
+  for (int i = 0; i < 1000; ++i) {
+    ServiceWord talkative = word("x" + std::to_string(i), i, 1000 + i, 0);
+    talkative.channels.resize(500);
+    census.hear(talkative, kBegin_us);
+    for (int session = 1; session <= 100; ++session) census.hear(message("C" + std::to_string(i), 0, session, 1));
+  }
+  const Report report = census.report(kBegin_us + kSecond_us);
+  for (const ChannelReport& channel : report.channels) writers += channel.writers.size();
+  for (const ServiceReport& service : report.services) words += service.newest.channels.size();
+  EXPECT_LE(writers, 16384U);
+  EXPECT_LE(words, 16384U);
 }
 
 TEST(Census, IsReadyOnlyWhenItWaitsForNothing) {

@@ -21,7 +21,7 @@ OwnedEvent pose_event(std::int64_t utime, std::int64_t session, std::int64_t seq
 
 TEST(LogSummary, CountsLossesInEachSession) {
   const std::vector<OwnedEvent> events = {pose_event(1000, 5, 1), pose_event(2000, 5, 4), pose_event(3000, 9, 7),
-                                          pose_event(4000, 5, 5), pose_event(5000, 9, 9)};
+                                          pose_event(4000, 5, 5), pose_event(5000, 9, 9), pose_event(6000, 9, 10)};
   const LogSummary summary = summarise(views(events), catalog());
   ASSERT_EQ(summary.channels.size(), 1U);
   EXPECT_EQ(summary.channels[0].type, "TargetPose");

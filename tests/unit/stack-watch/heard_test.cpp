@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace markservo::stack_watch {
 namespace {
 
@@ -61,7 +63,38 @@ TEST(RecentCensus, ForgetsWhoIsGone) {
 TEST(RecentCensus, TakesNoMoreThanSoMuchOfAHostileWriter) {
   RecentCensus recent(at(0));
   for (int pid = 0; pid < 20'000; ++pid) recent.hear(word("ready", at(0), pid), at(0));
-  EXPECT_LE(recent.report(at(1)).services.size(), 2048U);
+  EXPECT_LE(recent.report(at(1)).services.size(), 1024U);
+}
+
+TEST(RecentCensus, HasRoomForWhatTheSupervisorRunsInAFlood) {
+  RecentCensus recent(at(0));
+  recent.know({"here", {{"visual-servo", 7}}});
+  const auto flood = [&recent](int second) {
+    for (int i = 0; i < 6'000; ++i) {
+      recent.hear(word("ready", at(second), 1000 + i), at(second));
+      census::Heard message;
+      message.channel = "FLOOD_" + std::to_string(i);
+      message.utime = at(second).wall_us;
+      message.session = 5000 + i;
+      recent.hear(message);
+    }
+  };
+  for (int second = 0; second < 20; ++second) {
+    flood(second);
+    recent.hear(word("ready", at(second)), at(second));
+    census::Heard message;
+    message.channel = "SERVO_STATUS";
+    message.utime = at(second).wall_us;
+    message.session = 107;
+    recent.hear(message);
+    recent.tick(at(second));
+  }
+  const census::Report report = recent.report(at(20));
+  const auto own = std::find_if(report.services.begin(), report.services.end(),
+                                [](const census::ServiceReport& service) { return service.newest.pid == 7; });
+  ASSERT_NE(own, report.services.end());
+  EXPECT_EQ(own->writes, std::vector<std::string>{"SERVO_STATUS"});
+  EXPECT_EQ(recent.state_since_us(word("ready", at(20))), at(0).wall_us);
 }
 
 }  // namespace

@@ -60,10 +60,58 @@ TEST(SilenceWatch, SaysNothingBeforeFiveSeconds) {
   EXPECT_TRUE(stack.told.empty());
 }
 
-TEST(SilenceWatch, WaitsForOneThatHasNeverSpoken) {
+TEST(SilenceWatch, WaitsForOneThatNeedNotSpeak) {
   Stack stack;
   stack.run({60, false});
   EXPECT_TRUE(stack.told.empty());
+}
+
+TEST(SilenceWatch, TellsOfOneThatHasSaidNothingFifteenSecondsAfterItMust) {
+  Stack stack;
+  stack.run({30, false});  // what makes it wait before it begins
+  stack.processes[0].must_speak = true;
+  stack.run({14.5, false});
+  EXPECT_TRUE(stack.told.empty());
+  stack.run({1, false});
+  ASSERT_EQ(stack.told.size(), 1U);
+  EXPECT_EQ(stack.told[0].name, "visual-servo");
+  EXPECT_FALSE(stack.told[0].spoke);
+  EXPECT_NEAR(1e-6 * static_cast<double>(stack.told[0].silent_us), 15.0, 0.5);
+}
+
+// Processes 100 to 119 of the name, each for 16 s, that must speak and do not.
+int told_of_mute(Stack* stack) {
+  stack->told.clear();
+  for (int pid = 100; pid < 120; ++pid) {
+    stack->processes = {{"visual-servo", pid, true}, {"target-locator", 8}};
+    stack->run({16, false});
+  }
+  return static_cast<int>(stack->told.size());
+}
+
+TEST(SilenceWatch, GivesUpOnANameThatNeverSpeaksHere) {
+  Stack stack;
+  EXPECT_EQ(told_of_mute(&stack), 3) << "it may speak on another bus";
+}
+
+TEST(SilenceWatch, TellsAlwaysOfANameThatSpokeHere) {
+  Stack stack;
+  stack.run({30});
+  EXPECT_EQ(told_of_mute(&stack), 20);
+}
+
+TEST(SilenceWatch, ListensToNobodyElse) {
+  Stack stack;
+  stack.run({30});
+  for (int i = 0; i < 12; ++i) {
+    stack.watch.hear_word("visual-servo", 70, kSession + 7, stack.now_us);
+    stack.watch.hear_session(kSession + 7, stack.now_us);
+    for (int pid = 1000; pid < 4000; ++pid) stack.watch.hear_word("x", pid, pid, stack.now_us);
+    stack.run({0.5, false});
+  }
+  ASSERT_EQ(stack.told.size(), 1U) << "a word of another process of that name is none of its own";
+  EXPECT_EQ(stack.told[0].pid, 7);
+  EXPECT_TRUE(stack.told[0].spoke);
 }
 
 TEST(SilenceWatch, LeavesOneAloneThatTheSupervisorDoesNotRun) {
@@ -74,7 +122,7 @@ TEST(SilenceWatch, LeavesOneAloneThatTheSupervisorDoesNotRun) {
   EXPECT_TRUE(stack.told.empty());
 }
 
-TEST(SilenceWatch, LeavesTheNextProcessOfThatNameAloneUntilItHasSpoken) {
+TEST(SilenceWatch, LeavesTheNextProcessOfThatNameAloneUntilItMustSpeak) {
   Stack stack;
   stack.run({30});
   stack.processes = {{"visual-servo", 9}, {"target-locator", 8}};
