@@ -17,11 +17,16 @@ struct Bars {
   // Motion.
   double arm_still_rad = 0.004;    // I1, I3: the way of the farthest joint that still counts as rest
   double base_still_m = 0.002;     // I1
+  double base_still_rad = 0.008;   // I1: what 2 mm are at the wheels, 0.25 m from the middle
+  double base_silent_rad = 0.02;   // I3: likewise 5 mm
   double base_silent_m = 0.005;    // I3: the base's way is measured through braking, whose end is an estimate
   double arm_moves_rad_s = 0.02;   // I2
   double base_moves_m_s = 0.005;   // I2
   double latch_time = 0.3;         // s, I1: from a latch until braking begins
   double command_age = 0.3;        // s, I3: movers obey no older command, and go on with the last one as long
+  double truth_period = 0.02;      // s: the mover's time is told so often
+  double doubt = 0.1;              // s, I3: so much before a rule's edge two writers are plain
+  double lead_doubt = 0.15;        // rad, I3: the shafts are known at 15 Hz only
   double goal_age = 0.6;           // s, I2
   double hearing = 0.15;           // s: the trial hears a message later than its reader, by a frame at most
   double arm_braking = 0.2;        // s: from 5 rad/s at 100 rad/s^2, and the frames between which truth is told
@@ -39,6 +44,8 @@ struct Bars {
   std::vector<double> joint_speed;  // rad/s
   double base_speed = 0.0;          // m/s
   double base_turn_rate = 0.0;      // rad/s
+  double speed_share = 1.05;        // I5: of a limit, by the truth; what is driven swings over a little
+  double shaft_slack = 0.03;        // rad, I5: backlash, and what a contact bends
   double lead_time = 0.3;           // s, I5: a command leads the shafts by no more than this at its own speed
   double lead_rad = 0.1;            // rad, and this
   double rounding = 1e-6;           // rad, rad/s, m/s: limits are reached, not passed

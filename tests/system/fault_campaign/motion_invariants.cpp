@@ -11,16 +11,11 @@
 #include "tests/system/fault_campaign/floor.hpp"
 #include "tests/system/fault_campaign/invariants.hpp"
 #include "tests/system/fault_campaign/motion.hpp"
+#include "tests/system/fault_campaign/mover.hpp"
 #include "tests/system/fault_campaign/words.hpp"
 
 namespace markservo::campaign {
 namespace {
-
-// s, until a base that moves so stands.
-double base_braking(const SimBaseTruth& truth, const Bars& bars) {
-  return std::max(std::abs(truth.speed) / bars.base_deceleration, std::abs(truth.turn_rate) / bars.turn_deceleration) +
-         bars.base_settles;
-}
 
 // While a device of one simulator is latched, by its own word.
 struct Latch {
@@ -90,9 +85,11 @@ void judge_base_latches(const Timeline& timeline, const Bars& bars, Verdict& ver
         ++verdict.judged;
       }
       const double way = way_between(rest->message, truth.message);
-      if (way > bars.base_still_m) {
+      const double turn = turn_between(rest->message, truth.message);
+      if (way > bars.base_still_m || turn > bars.base_still_rad) {
         note(verdict, truth.t,
-             text("latched since %.2f s (world), and the base moved %.4f m by %.2f s", latch.from, way, truth.world));
+             text("latched since %.2f s (world), and the base moved %.4f m and %.4f rad by %.2f s", latch.from, way,
+                  turn, truth.world));
         break;
       }
     }
@@ -108,89 +105,6 @@ double newest_goal(const std::vector<const Heard<M>*>& goals, double end) {
     newest = goal->world;
   }
   return newest;
-}
-
-// When each message was heard that a mover may obey, s of the world.
-template <class M, class Stamp>
-std::vector<double> fresh_commands(const Timeline& timeline, const Stream<M>& stream, Stamp stamp) {
-  constexpr double kFresh_s = 1.0;  // what is older answers another time
-  std::vector<double> times;
-  std::int64_t newest = 0;
-  auto truth = timeline.base_truth.begin();
-  for (const auto& heard : stream) {
-    for (; truth != timeline.base_truth.end() && truth->t <= heard.t; ++truth) newest = truth->message.utime;
-    const bool known = newest == 0 || std::abs(seconds_between(stamp(heard.message), newest)) <= kFresh_s;
-    if (known) times.push_back(heard.world);
-  }
-  return times;
-}
-
-// The last of `times` (growing) that is not after `world`; nothing when there is none.
-std::optional<double> last_before(const std::vector<double>& times, double world) {
-  const auto after = std::upper_bound(times.begin(), times.end(), world);
-  if (after == times.begin()) return std::nullopt;
-  return *std::prev(after);
-}
-
-int count_silences(const std::vector<double>& times, double longest) {
-  int silences = 0;
-  for (std::size_t i = 1; i < times.size(); ++i) silences += times[i] - times[i - 1] > longest ? 1 : 0;
-  return silences;
-}
-
-void judge_arm_silence(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
-  const auto times = fresh_commands(timeline, timeline.joint_commands,
-                                    [](const JointCommand& command) { return command.frame_utime; });
-  verdict.judged += count_silences(times, bars.command_age);
-  double moved = 0.0;  // rad, in the present silence
-  double silent_since = -1.0;
-  for (const ArmStep& step : arm_steps(timeline)) {
-    const auto last = last_before(times, step.to->world);
-    if (!last) continue;
-    if (silent_since != *last) moved = 0.0;
-    silent_since = *last;
-    if (step.from->world - *last <= bars.command_age + bars.hearing + bars.arm_braking) continue;
-    ++verdict.judged;
-    moved += step.way;
-    if (moved <= bars.arm_still_rad) continue;
-    note(verdict, step.to->t,
-         text("no fresh JOINT_COMMAND since %.2f s (world), and the arm moved %.4f rad until %.2f s", *last, moved,
-              step.to->world));
-    moved = 0.0;
-  }
-}
-
-void judge_base_silence(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
-  constexpr double kBraking = -1.0;  // it is not yet known when that will be over
-  const auto times =
-      fresh_commands(timeline, timeline.base_commands, [](const BaseCommand& command) { return command.utime; });
-  verdict.judged += count_silences(times, bars.command_age);
-  const Heard<SimBaseTruth>* rest = nullptr;
-  const Heard<SimBaseTruth>* before = nullptr;
-  double rest_from = kBraking;  // s, world
-  double silent_since = -1.0;
-  for (const auto& truth : timeline.base_truth) {
-    const auto last = last_before(times, truth.world);
-    if (!last) continue;
-    const bool goes_on = before != nullptr && before->message.session == truth.message.session && silent_since == *last;
-    before = &truth;
-    silent_since = *last;
-    if (!goes_on) {
-      rest = nullptr;
-      rest_from = kBraking;
-    }
-    if (truth.world - *last <= bars.command_age + bars.hearing) continue;
-    if (rest_from < 0.0) rest_from = truth.world + base_braking(truth.message, bars);
-    if (truth.world < rest_from) continue;
-    if (rest == nullptr) rest = &truth;
-    ++verdict.judged;
-    const double way = way_between(rest->message, truth.message);
-    if (way <= bars.base_silent_m) continue;
-    note(verdict, truth.t,
-         text("no fresh BASE_COMMAND since %.2f s (world), and the base moved %.4f m until %.2f s", *last, way,
-              truth.world));
-    rest = &truth;
-  }
 }
 
 // What a mover says that it follows: the one who has the floor, or had it a moment ago.
@@ -277,13 +191,6 @@ Verdict motion_has_a_goal(const Timeline& timeline, const Bars& bars) {
          text("the base moves at %.3f m/s at %.2f s (world); the newest legal BASE_GOAL to move: %s", step.speed,
               step.to->world, goal < 0.0 ? "none" : text("%.2f s", goal).c_str()));
   }
-  return verdict;
-}
-
-Verdict silence_is_rest(const Timeline& timeline, const Bars& bars) {
-  Verdict verdict;
-  judge_arm_silence(timeline, bars, verdict);
-  judge_base_silence(timeline, bars, verdict);
   return verdict;
 }
 

@@ -9,6 +9,7 @@
 namespace markservo::campaign {
 namespace {
 
+constexpr double kToldAgain_s = 0.3;
 constexpr double kLongestTick_s = 1.0;  // longer between two stamps: a clock was set, or the simulator was away
 
 template <class M>
@@ -135,6 +136,8 @@ void WorldClock::heard(std::int64_t t, std::int64_t utime) {
   }
   const Tick& last = ticks_.back();
   double step = seconds_between(last.utime, utime);
+  // The last exposure is told again in answer to a SIM_CONTROL: nothing passed.
+  if (step < 0.0 && step > -kToldAgain_s) return;
   if (step < 0.0 || step > kLongestTick_s) step = std::clamp(seconds_between(last.t, t), 0.0, kLongestTick_s);
   ticks_.push_back({t, utime, last.seconds + step});
 }

@@ -89,6 +89,26 @@ TEST(CommandsAreWithinLimits, BreaksForABaseThatIsTooFast) {
   EXPECT_TRUE(commands_are_within_limits(forged.timeline(), forged_bars()).broken());
 }
 
+TEST(CommandsAreWithinLimits, BreaksForAnArmThatLeavesItsLimitsWhoeverCommandsIt) {
+  ForgedHistory forged;
+  forged.world(
+      0.0, 4.0, [](double t) { return t; }, [](double) { return 0.0; });
+  EXPECT_TRUE(commands_are_within_limits(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(CommandsAreWithinLimits, BreaksForAnArmThatLeaps) {
+  ForgedHistory forged;
+  forged.world(
+      0.0, 4.0, [](double t) { return t < 2.0 ? 0.0 : 0.5; }, [](double) { return 0.0; });
+  EXPECT_TRUE(commands_are_within_limits(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(CommandsAreWithinLimits, BreaksForABaseThatIsTrulyTooFast) {
+  ForgedHistory forged;
+  forged.base_at(1.0, 0.0, false, 0.0, 1.3);
+  EXPECT_TRUE(commands_are_within_limits(forged.timeline(), forged_bars()).broken());
+}
+
 TEST(ReleaseNeedsAFreshReset, HoldsForAResetOfThisMoment) {
   ForgedHistory forged;
   forged.still(0.0, 3.0).stop_state(1.0, "arm", true).reset(1.5, 7, 1.0).stop_state(1.6, "arm", false, 7);

@@ -72,12 +72,14 @@ ForgedHistory& ForgedHistory::arm_at(double t, double angle, const SimBody* body
   return add(t, "SIM_TRUTH", truth);
 }
 
-ForgedHistory& ForgedHistory::base_at(double t, double x, bool touched) {
+ForgedHistory& ForgedHistory::base_at(double t, double x, bool touched, double heading, double speed) {
   SimBaseTruth truth{};
   truth.utime = at(t);
   truth.session = kSimulator;
   truth.seq = ++seq_;
   truth.pose.x = x;
+  truth.pose.heading = heading;
+  truth.speed = speed;
   truth.touched = touched ? 1 : 0;
   return add(t, "SIM_BASE_TRUTH", truth);
 }
@@ -117,28 +119,47 @@ ForgedHistory& ForgedHistory::base_goals(double from, double to) {
   return *this;
 }
 
-ForgedHistory& ForgedHistory::joint_commands(double from, double to, double position, double speed) {
+ForgedHistory& ForgedHistory::joint_commands(double from, double to, double position, double speed,
+                                             const CommandWriter& writer) {
   for (double t = from; t < to; t += 1.0 / 15.0) {
     JointCommand command{};
-    command.utime = command.frame_utime = at(t);
-    command.session = kServo;
+    command.utime = command.frame_utime = at(t - writer.age);
+    command.session = writer.session;
     command.seq = ++seq_;
+    command.frame_session = kSimulator;
+    command.frame_seq = seq_;
+    command.joint_session = writer.made_for;
+    command.gripper_opening = 0.03;
+    command.gripper_force = 10.0;
     command.num_joints = 3;
     command.position = {position, position, position};
     command.speed_limit = {speed, speed, speed};
-    add(t, "JOINT_COMMAND", command);
+    add(t, "JOINT_COMMAND", command, writer.session == kStranger || writer.foreign);
   }
   return *this;
 }
 
-ForgedHistory& ForgedHistory::base_commands(double from, double to, double speed) {
+ForgedHistory& ForgedHistory::joint_commands_again(double later) {
+  const std::vector<Event> said = history_.events;
+  for (Event event : said) {
+    if (event.channel != "JOINT_COMMAND") continue;
+    event.t += static_cast<std::int64_t>(later * 1e6);
+    event.foreign = true;
+    history_.events.push_back(std::move(event));
+  }
+  return *this;
+}
+
+ForgedHistory& ForgedHistory::base_commands(double from, double to, double speed, const CommandWriter& writer) {
   for (double t = from; t < to; t += 0.02) {
     BaseCommand command{};
-    command.utime = at(t);
-    command.session = kNavigator;
+    command.utime = at(t - writer.age);
+    command.session = writer.session == kServo ? kNavigator : writer.session;
     command.seq = ++seq_;
+    command.odometry_session = writer.made_for;
+    command.odometry_seq = seq_;
     command.speed = speed;
-    add(t, "BASE_COMMAND", command);
+    add(t, "BASE_COMMAND", command, writer.session == kStranger || writer.foreign);
   }
   return *this;
 }

@@ -28,6 +28,14 @@ inline std::int64_t at(double seconds) {
 // Limits as of a robot whose joints turn a quarter of a turn each way, at 5 rad/s.
 Bars forged_bars();
 
+// Who commands: visual-servo, or base-navigator, unless it says otherwise.
+struct CommandWriter {
+  std::int64_t session = kServo;
+  std::int64_t made_for = kSimulator;  // the mover whose measurements it answers
+  double age = 0.0;                    // s, of these
+  bool foreign = false;                // the trial itself speaks, whatever the session
+};
+
 class ForgedHistory {
  public:
   // The stack's services have spoken: their sessions are known.
@@ -47,13 +55,16 @@ class ForgedHistory {
   }
   ForgedHistory& arm_at(double t, double angle, const SimBody* body = nullptr, double opening = 0.03,
                         const std::string& touched = {});
-  ForgedHistory& base_at(double t, double x, bool touched = false);
+  ForgedHistory& base_at(double t, double x, bool touched = false, double heading = 0.0, double speed = 0.0);
 
   ForgedHistory& servo_goals(double from, double to, std::int64_t session = kTask, double stamp_off = 0.0);
   ForgedHistory& follows(double t, std::int64_t session);
   ForgedHistory& base_goals(double from, double to);
-  ForgedHistory& joint_commands(double from, double to, double position = 0.0, double speed = 1.0);
-  ForgedHistory& base_commands(double from, double to, double speed = 0.0);
+  ForgedHistory& joint_commands(double from, double to, double position = 0.0, double speed = 1.0,
+                                const CommandWriter& writer = {});
+  // What was said on JOINT_COMMAND so far comes once more, so many s later.
+  ForgedHistory& joint_commands_again(double later);
+  ForgedHistory& base_commands(double from, double to, double speed = 0.0, const CommandWriter& writer = {});
   ForgedHistory& stop_state(double t, const std::string& device, bool latched, std::int64_t request = 0);
   ForgedHistory& reset(double t, std::int64_t id, double stamped);
   ForgedHistory& task_state(double t, int state, const std::string& reason = {}, std::int64_t command = 0);

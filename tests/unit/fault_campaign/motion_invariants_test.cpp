@@ -137,6 +137,89 @@ TEST(SilenceIsRest, BreaksWhenTheBaseGoesOnWithoutCommands) {
   EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
 }
 
+TEST(SilenceIsRest, BreaksForAMotionThatNobodyEverCommanded) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands);
+  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(SilenceIsRest, TakesNoCommandForFreshThatAnswersAnOldMeasurement) {
+  ForgedHistory fresh;
+  fresh.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5, 0.0, 1.0, {kServo, kSimulator, 0.25});
+  EXPECT_FALSE(silence_is_rest(fresh.timeline(), forged_bars()).broken());
+  ForgedHistory old;
+  old.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5, 0.0, 1.0, {kServo, kSimulator, 0.4});
+  EXPECT_TRUE(silence_is_rest(old.timeline(), forged_bars()).broken());
+}
+
+TEST(SilenceIsRest, TakesNoCommandForFreshThatWasMadeForAnotherMover) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5, 0.0, 1.0, {kServo, 55});
+  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(SilenceIsRest, TakesNoCommandForFreshThatLeapsAway) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5, 1.5, 1.0, {kStranger});
+  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(SilenceIsRest, LetsAStrangerCommandWhoWritesAlone) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kMoves).joint_commands(0.5, 2.0).base_commands(0.5, 2.0);
+  forged.joint_commands(2.5, 4.5, 0.0, 1.0, {kStranger}).base_commands(2.5, 4.5, 0.0, {kStranger});
+  EXPECT_FALSE(silence_is_rest(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(SilenceIsRest, BreaksWhenAStrangerUnderTheStacksOwnSessionIsObeyed) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 2.0);
+  forged.joint_commands(2.1, 4.5, 0.0, 1.0, {kServo, kSimulator, 0.0, true});
+  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(SilenceIsRest, BreaksWhenAMoverGoesOnWhileTwoWriteItsCommands) {
+  ForgedHistory arm;
+  arm.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5);
+  arm.joint_commands(2.03, 4.5, 0.0, 1.0, {kStranger});
+  EXPECT_TRUE(silence_is_rest(arm.timeline(), forged_bars()).broken());
+  ForgedHistory base;
+  base.world(0.0, 8.0, kStands, kMoves).base_commands(0.5, 4.5).base_commands(2.03, 4.5, 0.0, {kStranger});
+  EXPECT_TRUE(silence_is_rest(base.timeline(), forged_bars()).broken());
+}
+
+TEST(SilenceIsRest, LetsAMoverGoOnThatAResetReleasedAfterTwoWrote) {
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.2, 4.5).stop_state(0.1, "arm", false, 3);
+  forged.joint_commands(0.53, 0.7, 0.0, 1.0, {kStranger}).stop_state(0.8, "arm", true, 3);
+  forged.stop_state(2.0, "arm", false, 4);
+  EXPECT_FALSE(silence_is_rest(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(SilenceIsRest, TakesNoLateCopyForASecondWriter) {
+  // Each command once more, 10 ms late: as it was, so that nobody new speaks.
+  ForgedHistory forged;
+  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5);
+  forged.joint_commands_again(0.01);
+  EXPECT_FALSE(silence_is_rest(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(LatchedIsStill, BreaksWhenTheBaseTurnsUnderALatch) {
+  ForgedHistory forged;
+  forged.stop_state(1.0, "base", true);
+  for (double t = 0.0; t < 8.0; t += 0.02) forged.base_at(t, 0.0, false, kMoves(t));
+  EXPECT_TRUE(latched_is_still(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(WorldClock, StandsWhileTheLastExposureIsToldAgain) {
+  WorldClock clock;
+  clock.heard(at(0.0), at(0.0));
+  clock.heard(at(0.1), at(0.1));
+  clock.heard(at(0.15), at(0.04));
+  clock.heard(at(0.2), at(0.2));
+  EXPECT_NEAR(clock.at(at(0.25)), 0.2, 1e-9);
+}
+
 TEST(WorldClock, GoesOnEvenlyWhenTheClockIsSet) {
   WorldClock clock;
   clock.heard(at(0.0), at(0.0));
