@@ -14,6 +14,8 @@ namespace {
 constexpr double kRecovery_s = 15.0;
 constexpr double kShortestRecovery_s = 5.0;  // counters, rates and sizes need so much to be judged
 constexpr double kReadyFor_s = 2.0;
+constexpr double kTaskPatience_s = 42.0;  // a little above the checker's, so that a task that never ends is seen
+constexpr double kTaskStands_s = 11.0;    // likewise, by the world's time
 
 }  // namespace
 
@@ -103,6 +105,14 @@ void Trial::recover() {
     return well && seconds_between(well_since, Bench::now()) > kReadyFor_s &&
            seconds_between(gone, Bench::now()) > kShortestRecovery_s;
   });
+  if (!work_.task_ended()) wait_for_the_task(gone);
+}
+
+// A task that is under way when the robot is well again is waited for: until it ends, or nothing of it goes on.
+void Trial::wait_for_the_task(std::int64_t gone) {
+  work_.watch_for_standstill();
+  bench_.listen(kTaskPatience_s - seconds_between(gone, Bench::now()),
+                [this] { return work_.task_ended() || work_.stands_for() > kTaskStands_s; });
 }
 
 void Trial::end_all() {

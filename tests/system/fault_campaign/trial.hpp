@@ -32,6 +32,7 @@ class Trial {
   void attend();
   void strike_all();
   void recover();
+  void wait_for_the_task(std::int64_t gone);
   void end_all();
   nlohmann::json report(bool phase_reached) const;
 

@@ -1,10 +1,12 @@
 // I9 to I11: what is told, kept and printed.
 
 #include <algorithm>
+#include <cctype>
 
 #include "common/time/seconds_between.hpp"
 #include "tests/experiments/task_words.hpp"
 #include "tests/system/fault_campaign/invariants.hpp"
+#include "tests/system/fault_campaign/motion.hpp"
 #include "tests/system/fault_campaign/words.hpp"
 
 namespace markservo::campaign {
@@ -18,13 +20,69 @@ bool given_up(const TaskState& task) {
   return task.state == TaskState::REFUSED || task.state == TaskState::FAILED || task.state == TaskState::STOPPED;
 }
 
+bool in_a_name(const std::string& text, std::size_t at) {
+  return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+}
+
+// Whether `word` stands in `reason` by itself: STOP is not named by STOP_STATE.
+bool names(const std::string& reason, const std::string& word) {
+  if (word.empty()) return false;
+  for (std::size_t at = reason.find(word); at != std::string::npos; at = reason.find(word, at + 1)) {
+    if ((at == 0 || !in_a_name(reason, at - 1)) && !in_a_name(reason, at + word.size())) return true;
+  }
+  return false;
+}
+
 bool names_one(const std::string& reason, const Timeline& timeline) {
   for (const Fault& fault : timeline.faults) {
     for (const std::string& word : fault.words) {
-      if (reason.find(word) != std::string::npos) return true;
+      if (names(reason, word)) return true;
     }
   }
   return false;
+}
+
+// s, world: since when nothing of the arm, the base and the task's state has changed.
+double stands_since(const Timeline& timeline, const Bars& bars) {
+  double since = 0.0;
+  int state = -1;
+  for (const auto& heard : timeline.task_states) {
+    if (heard.foreign || !timeline.is("task-manager", heard.message.session) || heard.message.state == state) continue;
+    state = heard.message.state;
+    since = heard.world;
+  }
+  const SimTruth* arm = nullptr;
+  for (const auto& truth : timeline.truth) {
+    if (arm != nullptr && same_world(*arm, truth.message) &&
+        farthest_joint(arm->shaft, truth.message.shaft) <= bars.task_moves)
+      continue;
+    arm = &truth.message;
+    since = std::max(since, truth.world);
+  }
+  const SimBaseTruth* base = nullptr;
+  for (const auto& truth : timeline.base_truth) {
+    if (base != nullptr && base->session == truth.message.session &&
+        way_between(*base, truth.message) <= bars.task_moves && turn_between(*base, truth.message) <= bars.task_moves)
+      continue;
+    base = &truth.message;
+    since = std::max(since, truth.world);
+  }
+  return since;
+}
+
+// A task that is under way long after the faults, or of which nothing goes on, does not end.
+void judge_endless(const Timeline& timeline, const Heard<TaskState>& last, const Bars& bars, Verdict& verdict) {
+  const double since = std::max(stands_since(timeline, bars), timeline.clock.at(timeline.faults_gone()));
+  const double stood = timeline.clock.at(timeline.ended_at) - since;
+  if (stood > bars.task_stands) {
+    note(verdict, last.t,
+         text("the task stands in state %s, and nothing has changed for %.1f s (world)",
+              experiments::task_state_name(last.message.state), stood));
+  } else if (seconds_between(timeline.faults_gone(), timeline.ended_at) > bars.task_patience) {
+    note(verdict, last.t,
+         text("the task is in state %s %.1f s after the fault", experiments::task_state_name(last.message.state),
+              bars.task_patience));
+  }
 }
 
 // What the stack says of the task from `t` on.
@@ -48,8 +106,9 @@ Verdict tasks_end_with_the_reason(const Timeline& timeline, const Bars& bars) {
   Verdict verdict;
   if (timeline.task_starts.empty()) return verdict;
   const std::int64_t strike = timeline.first_strike();
-  if (ended_before(timeline, strike)) return verdict;
   const Heard<TaskState>* last = last_state_after(timeline, strike);
+  // A task that had ended well may stay so; what stops it afterwards is to be named all the same.
+  if (ended_before(timeline, strike) && (last == nullptr || !given_up(last->message))) return verdict;
   ++verdict.judged;
   if (last == nullptr) {
     note(verdict, timeline.ended_at, "the stack says nothing of its task any more");
@@ -68,10 +127,8 @@ Verdict tasks_end_with_the_reason(const Timeline& timeline, const Bars& bars) {
   }
   if (task.state == TaskState::IDLE) {
     note(verdict, last->t, "the task is gone, without a reason");
-  } else if (seconds_between(timeline.faults_gone(), timeline.ended_at) > bars.task_patience) {
-    note(verdict, last->t,
-         text("the task is in state %s %.1f s after the fault", experiments::task_state_name(task.state),
-              bars.task_patience));
+  } else {
+    judge_endless(timeline, *last, bars, verdict);
   }
   return verdict;
 }

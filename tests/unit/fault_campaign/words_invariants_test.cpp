@@ -41,6 +41,42 @@ TEST(TasksEndWithTheReason, BreaksWhenTheTaskIsGoneWithoutAReason) {
   EXPECT_TRUE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
 }
 
+TEST(TasksEndWithTheReason, TakesNoPartOfANameForAName) {
+  ForgedHistory forged;
+  forged.still(0.0, 20.0).start(1.0).task_state(2.0, TaskState::SERVO).fault(5.0, 7.0, {"STOP"});
+  forged.task_state(8.0, TaskState::STOPPED, "stop: no STOP_STATE of arm");
+  EXPECT_TRUE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(TasksEndWithTheReason, BreaksForATaskThatStands) {
+  // The recovery's 15 s are too short for the patience of 40 s: that nothing changes for 10 s tells it.
+  ForgedHistory forged = struck_task();
+  forged.task_state(8.0, TaskState::SERVO);
+  EXPECT_TRUE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(TasksEndWithTheReason, WaitsForATaskThatMoves) {
+  ForgedHistory forged;
+  forged.world(
+      0.0, 20.0, [](double t) { return 0.01 * t; }, [](double) { return 0.0; });
+  forged.start(1.0)
+      .task_state(2.0, TaskState::SERVO)
+      .fault(5.0, 7.0, {"TARGET_POSE"})
+      .task_state(8.0, TaskState::SERVO);
+  EXPECT_FALSE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(TasksEndWithTheReason, AsksWhatStoppedATaskThatHadEnded) {
+  ForgedHistory kept;
+  kept.still(0.0, 20.0).start(1.0).task_state(2.0, TaskState::HOLD_LIFTED).fault(5.0, 7.0, {"TARGET_POSE"});
+  kept.task_state(8.0, TaskState::HOLD_LIFTED);
+  EXPECT_FALSE(tasks_end_with_the_reason(kept.timeline(), forged_bars()).broken());
+  ForgedHistory stopped;
+  stopped.still(0.0, 20.0).start(1.0).task_state(2.0, TaskState::HOLD_LIFTED).fault(5.0, 7.0, {"TARGET_POSE"});
+  stopped.task_state(8.0, TaskState::STOPPED, "it fell");
+  EXPECT_TRUE(tasks_end_with_the_reason(stopped.timeline(), forged_bars()).broken());
+}
+
 TEST(TasksEndWithTheReason, BreaksWhenNothingIsToldAnyMore) {
   EXPECT_TRUE(tasks_end_with_the_reason(struck_task().timeline(), forged_bars()).broken());
 }
