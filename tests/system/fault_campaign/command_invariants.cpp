@@ -132,7 +132,8 @@ Verdict release_needs_a_fresh_reset(const Timeline& timeline, const Bars& bars) 
       reset.heard = true;
       reset.age = std::min(reset.age, std::abs(seconds_between(asked.utime, state.utime)));
     }
-    if (reset.heard && reset.age <= bars.reset_age + bars.reset_slack) continue;
+    const double lost = timeline.loses_messages(heard.t) ? bars.state_period : 0.0;
+    if (reset.heard && reset.age <= bars.reset_age + bars.reset_rounding + lost) continue;
     note(verdict, heard.t,
          text("%s released at %.2f s (world) by %s", state.device.c_str(), heard.world,
               reset.heard ? text("a reset %.1f s old", reset.age).c_str() : "no reset that was heard"));

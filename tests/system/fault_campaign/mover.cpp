@@ -66,6 +66,7 @@ class Writer {
     // What somebody says under a session of the stack's own is never the stack's.
     if ((command.foreign && own_session) || !command.can_move) return;
     commands_.fresh.push_back(command.world);
+    if (command.foreign) commands_.strangers.push_back(command.world);
   }
   // What was said before is settled by a reset.
   void settle() { other_ = OfferedCommand{}; }
@@ -173,6 +174,14 @@ std::vector<OfferedCommand> offered_to_base(const Timeline& timeline, const Bars
                        heard.foreign, meant, numbers});
   }
   return offered;
+}
+
+bool moved_by_a_stranger(const Commands& commands, double from, double to, double moment, const Bars& bars) {
+  const auto at = std::lower_bound(commands.strangers.begin(), commands.strangers.end(), from - moment);
+  if (at != commands.strangers.end() && *at <= to) return true;
+  return std::any_of(commands.conflicts.begin(), commands.conflicts.end(), [&](const TwoWriters& two) {
+    return from <= two.world + bars.latch_time + moment && to >= two.world - bars.command_age;
+  });
 }
 
 Commands judged_as_the_mover(const Timeline& timeline, const std::vector<OfferedCommand>& offered, const char* device,

@@ -164,6 +164,26 @@ std::int64_t Timeline::faults_gone() const {
   return last > 0 ? last : ended_at;
 }
 
+bool Timeline::loses_messages(std::int64_t t) const {
+  constexpr std::int64_t kJust_us = 2'000'000;
+  return std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) {
+    if (fault.words.count("network") == 0 || fault.struck_at == 0) return false;
+    return t >= fault.struck_at && (fault.ended_at == 0 || t <= fault.ended_at + kJust_us);
+  });
+}
+
+bool Timeline::flooded(std::int64_t t) const {
+  constexpr std::int64_t kBefore_us = 1'000'000;
+  constexpr std::int64_t kFlood = 500'000;  // bytes; a socket holds 4 MB, of which frames need most
+  std::int64_t bytes = 0;
+  for (const auto& [channel, events] : traffic) {
+    auto one = std::lower_bound(events.begin(), events.end(), t - kBefore_us,
+                                [](const Traffic& event, std::int64_t time) { return event.t < time; });
+    for (; one != events.end() && one->t <= t + kBefore_us / 2; ++one) bytes += one->foreign ? one->size : 0;
+  }
+  return bytes > kFlood;
+}
+
 bool Timeline::is(const std::string& service, std::int64_t session) const {
   const auto found = sessions.find(service);
   return found != sessions.end() && found->second.count(session) > 0;

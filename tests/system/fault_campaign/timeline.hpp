@@ -106,6 +106,10 @@ struct Timeline {
   std::int64_t first_strike() const;
   // When the last fault was gone; the trial's end where one never went.
   std::int64_t faults_gone() const;
+  // Whether messages may have been lost around `t`: a fault of the network strikes, or one just went.
+  bool loses_messages(std::int64_t t) const;
+  // Whether somebody flooded the bus in the second before `t`, so that sockets overflow.
+  bool flooded(std::int64_t t) const;
   bool is(const std::string& service, std::int64_t session) const;
   // The task's state at `t` by the stack's own word; -1 before the first.
   int task_state_at(std::int64_t t) const;

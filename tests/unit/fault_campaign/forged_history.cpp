@@ -176,6 +176,15 @@ ForgedHistory& ForgedHistory::stop_state(double t, const std::string& device, bo
   return add(t, "STOP_STATE", state);
 }
 
+ForgedHistory& ForgedHistory::stop(double t, std::int64_t id) {
+  StopRequest request{};
+  request.utime = at(t);
+  request.session = kStranger;
+  request.request_id = id;
+  request.kind = StopRequest::STOP;
+  return add(t, "STOP", request, true);
+}
+
 ForgedHistory& ForgedHistory::reset(double t, std::int64_t id, double stamped) {
   StopRequest request{};
   request.utime = at(stamped);

@@ -66,6 +66,7 @@ class ForgedHistory {
   ForgedHistory& joint_commands_again(double later);
   ForgedHistory& base_commands(double from, double to, double speed = 0.0, const CommandWriter& writer = {});
   ForgedHistory& stop_state(double t, const std::string& device, bool latched, std::int64_t request = 0);
+  ForgedHistory& stop(double t, std::int64_t id);
   ForgedHistory& reset(double t, std::int64_t id, double stamped);
   ForgedHistory& task_state(double t, int state, const std::string& reason = {}, std::int64_t command = 0);
   ForgedHistory& start_command(double t, std::int64_t id, double stamped);
