@@ -58,17 +58,22 @@ struct Bars {
   double state_period = 0.25;       // s: where that one was lost, the next comes so much later
   double task_slack = 0.3;  // s, I2: from a TASK_COMMAND to the TASK_STATE that tells of it, by the frame's time
   // Health.
-  double silence = 5.0;         // s, I7
-  double status_slack = 2.5;    // s: SERVICE_STATUS comes once a second, a busy machine is late
-  double recovery = 15.0;       // s, I8
-  double ready_age = 4.0;       // s, I8: ready within so long before the end of that
-  double memory_mb = 10.0;      // I8
-  double bytes_share = 0.10;    // I8, of a message's mean size, by channel
-  double bytes_floor = 260.0;   // bytes a message: a reason of up to 200 and a name may stand where there were none
-  double rate_factor = 1.6;     // I8: messages a second by the world's clock; the machine's own scatter
-  double rate_floor = 3.0;      // messages a second
-  double calm = 1.0;            // s after the faults until bytes count
-  double task_patience = 40.0;  // s, I9: a task has ended by then
+  double silence = 5.0;          // s, I7
+  double status_slack = 2.5;     // s: SERVICE_STATUS comes once a second, a busy machine is late
+  double recovery = 15.0;        // s, I8
+  double ready_age = 4.0;        // s, I8: ready within so long before the end of that
+  double memory_mb = 10.0;       // I8
+  double ready_share = 0.5;      // I8: of that time; at a quarter of the speed a goal is late every other moment
+  double bytes_share = 0.10;     // I8, by the world's second; texts apart, which come and go with what happens
+  double bytes_floor = 8.0;      // bytes a message: a number of things told more
+  double varied_floor = 64.0;    // likewise, where what is seen or who speaks decides the number
+  double rate_floor = 2.0;       // messages a second: what is sent at 5 Hz only while a task is under way
+  double longest_text = 200.0;   // bytes: no text on the bus is longer
+  double asks_rate = 0.5;        // STOPs and TASK_COMMANDs a second of the stack's own
+  double words_rate = 1.2;       // SERVICE_STATUS of a service a second
+  double words_of_change = 6.0;  // and so many more of each, while it comes back
+  double calm = 1.0;             // s after the faults until bytes count
+  double task_patience = 40.0;   // s, I9: a task has ended by then
   double task_stands =
       10.0;  // s, world, I9: a task of which nothing changes for so long does not end; none waits longer
   double task_moves = 0.01;      // rad, m: more than an arm and a base shake at rest
@@ -90,6 +95,9 @@ struct Verdict {
 
 inline constexpr std::size_t kMostBreaches = 5;  // of one invariant: the first ones tell
 void note(Verdict& verdict, std::int64_t t, const std::string& evidence);
+
+// The bus's load after the faults, of I8. `ready_since`: us, from when on the stack was whole before them.
+void judge_load(const Timeline& timeline, std::int64_t ready_since, const Bars& bars, Verdict& verdict);
 
 Verdict latched_is_still(const Timeline& timeline, const Bars& bars);             // I1
 Verdict motion_has_a_goal(const Timeline& timeline, const Bars& bars);            // I2

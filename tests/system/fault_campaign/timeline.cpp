@@ -5,6 +5,7 @@
 
 #include "common/bus/safe_decode.hpp"
 #include "common/time/seconds_between.hpp"
+#include "tests/system/fault_campaign/message_leaves.hpp"
 
 namespace markservo::campaign {
 namespace {
@@ -28,10 +29,22 @@ std::int64_t end_of(const History& history) {
   return std::numeric_limits<std::int64_t>::max();
 }
 
+Traffic traffic_of(const Event& event) {
+  Traffic traffic{event.t, event.size, event.foreign, 0, 0};
+  if (!event.whole()) return traffic;
+  constexpr std::int64_t kFrame = 5;  // bytes around a text
+  for (const LeafSpan& leaf : leaf_spans(reflection::TypeCatalog::ours(), event.data)) {
+    if (leaf.kind != reflection::Kind::kString) continue;
+    traffic.texts += static_cast<std::int64_t>(leaf.size);
+    traffic.longest = std::max(traffic.longest, static_cast<std::int64_t>(leaf.size) - kFrame);
+  }
+  return traffic;
+}
+
 void decode_events(const History& history, std::int64_t end, Timeline& timeline) {
   for (const Event& event : history.events) {
     if (event.t > end) break;
-    timeline.traffic[event.channel].push_back({event.t, event.size, event.foreign});
+    timeline.traffic[event.channel].push_back(traffic_of(event));
     const std::string& channel = event.channel;
     if (channel == "SIM_TRUTH") decode(event, timeline.truth);
     if (channel == "SIM_BASE_TRUTH") decode(event, timeline.base_truth);

@@ -60,6 +60,8 @@ struct Traffic {
   std::int64_t t = 0;
   std::int64_t size = 0;  // bytes
   bool foreign = false;
+  std::int64_t texts = 0;    // bytes of it that are texts; of a message that was cut, unknown: 0
+  std::int64_t longest = 0;  // bytes of its longest text
 };
 
 struct ProcessSample {
