@@ -78,6 +78,7 @@ struct Bars {
       10.0;  // s, world, I9: a task of which nothing changes for so long does not end; none waits longer
   double task_moves = 0.01;      // rad, m: more than an arm and a base shake at rest
   double recording_gap = 5.0;    // s, I10: the next part has begun by then
+  double told_to = 1.2;          // s, I10: the manifest tells what was missed within a second
   double recording_up_to = 1.5;  // s, I10: before the fault
 };
 

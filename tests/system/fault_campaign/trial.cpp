@@ -130,15 +130,40 @@ void Trial::end_all() {
   recording["kind"] = "recording";
   recording["ended"] = end;
   for (const Course& course : courses_) {
-    if (course.fault->ends_recording() && course.striking) recording["ended"] = std::min(end, course.strike_at);
+    if (!course.fault->ends_recording() || !course.striking) continue;
+    recording["ended"] = std::min(end, course.strike_at);
+    recording.erase("manifest");  // it is on the same disk
   }
   bench_.fact(recording);
+  print_recording();
   std::error_code error;
   const std::filesystem::path out(bench_.folders().out);
   for (const auto& entry : std::filesystem::directory_iterator(out / "services", error)) {
     if (entry.is_regular_file())
       std::filesystem::copy_file(entry.path(), out / "printed" / entry.path().filename(), error);
   }
+}
+
+// What the tools say of the recording, for what messages held goes through them to a terminal.
+void Trial::print_recording() {
+  const std::filesystem::path out(bench_.folders().out);
+  const std::string recording = out / "recording";
+  const std::string tool = bench_.folders().build + "/bin/log-tool";
+  std::error_code error;
+  std::filesystem::copy_file(out / "recording" / "manifest.json", out / "printed" / "manifest.json", error);
+  if (!std::filesystem::exists(tool)) return;
+  bench_.run("log-info", {tool, "info", recording}, 15.0);
+  bench_.run("log-info-json", {tool, "info", "--json", recording}, 15.0);
+  const std::string tables = out / "tables";
+  bench_.run("log-export",
+             {tool, "export", recording, tables, "--channel", "STOP|STOP_STATE|TASK_COMMAND|TASK_STATE|SERVICE_STATUS"},
+             15.0);
+  for (const auto& entry : std::filesystem::directory_iterator(tables, error)) {
+    if (entry.path().extension() == ".csv") {
+      std::filesystem::copy_file(entry.path(), out / "printed" / entry.path().filename(), error);
+    }
+  }
+  std::filesystem::remove_all(tables, error);
 }
 
 nlohmann::json Trial::report(bool phase_reached) const {

@@ -100,6 +100,45 @@ bool ended_before(const Timeline& timeline, std::int64_t t) {
   return state == TaskState::DONE || state == TaskState::HOLD_LIFTED;
 }
 
+// s of [from, to] (us) that the manifest does not tell as missed.
+double untold(const nlohmann::json& gaps, std::int64_t from, std::int64_t to) {
+  double told = 0.0;
+  for (const auto& gap : gaps) {
+    const std::int64_t begin = std::max(from, gap.at(0).get<std::int64_t>());
+    const auto until = gap.at(1).get<std::int64_t>();
+    const std::int64_t end = until > 0 ? std::min(to, until) : to;  // 0: to the recording's end
+    if (end > begin) told += seconds_between(begin, end);
+  }
+  return seconds_between(from, to) - told;
+}
+
+// A gap is told from what was written last, at most a second before the logger died.
+bool is_true(const nlohmann::json& gap, const std::vector<std::int64_t>& moments, const Bars& bars) {
+  const std::int64_t from = gap.at(0).get<std::int64_t>() + static_cast<std::int64_t>(bars.told_to * 1e6);
+  const std::int64_t to = gap.at(1).get<std::int64_t>() - static_cast<std::int64_t>(bars.told_to * 1e6);
+  return std::none_of(moments.begin(), moments.end(), [&](std::int64_t t) { return t > from && t < to; });
+}
+
+// Whether the manifest tells what a recording misses, truly.
+void judge_manifest(const Timeline& timeline, const nlohmann::json& recording, const std::vector<std::int64_t>& moments,
+                    const Bars& bars, Verdict& verdict) {
+  if (!recording.contains("manifest")) return;
+  const nlohmann::json& manifest = recording.at("manifest");
+  ++verdict.judged;
+  if (manifest.contains("error")) {
+    note(verdict, timeline.ended_at, "the manifest: " + manifest.at("error").get<std::string>());
+    return;
+  }
+  const std::string ended_by = manifest.value("ended_by", std::string());
+  if (ended_by != "told to") {
+    note(verdict, timeline.ended_at, text("the recording ended by itself: \"%.200s\"", ended_by.c_str()));
+  }
+  for (const auto& gap : manifest.at("gaps")) {
+    if (is_true(gap, moments, bars)) continue;
+    note(verdict, gap.at(0), "the manifest tells as missed what was recorded");
+  }
+}
+
 }  // namespace
 
 Verdict tasks_end_with_the_reason(const Timeline& timeline, const Bars& bars) {
@@ -145,6 +184,8 @@ Verdict recording_goes_on(const Timeline& timeline, const Bars& bars) {
     std::vector<std::int64_t> moments;  // us, one a tenth of a second in which something was recorded
     for (const auto& moment : recording.at("moments")) moments.push_back(moment.get<std::int64_t>());
     const std::int64_t until = recording.value("ended", timeline.ended_at);
+    judge_manifest(timeline, recording, moments, bars, verdict);
+    const bool manifest = recording.contains("manifest") && recording.at("manifest").contains("gaps");
     moments.push_back(until);
     for (const std::int64_t moment : moments) {
       if (moment > until) break;
@@ -158,6 +199,11 @@ Verdict recording_goes_on(const Timeline& timeline, const Bars& bars) {
         note(verdict, moment,
              text("nothing recorded for %.1f s, from %.1f s after the first strike", seconds_between(last, moment),
                   seconds_between(timeline.first_strike(), last)));
+      }
+      if (said > 10 && manifest && untold(recording.at("manifest").at("gaps"), last, moment) > bars.told_to) {
+        note(verdict, moment,
+             text("the manifest does not tell that nothing was recorded for %.1f s, from %.1f s after the first strike",
+                  seconds_between(last, moment), seconds_between(timeline.first_strike(), last)));
       }
       last = std::max(last, moment);
     }

@@ -284,13 +284,21 @@ ForgedHistory& ForgedHistory::start(double t) {
   return *this;
 }
 
-ForgedHistory& ForgedHistory::recorded(const std::vector<std::pair<double, double>>& spans, double until) {
+ForgedHistory& ForgedHistory::recorded(const std::vector<std::pair<double, double>>& spans, double until,
+                                       const std::vector<std::pair<double, double>>& gaps,
+                                       const std::string& ended_by) {
   std::vector<std::int64_t> moments;
   for (const auto& [from, to] : spans) {
     for (double t = from; t < to; t += 0.1) moments.push_back(at(t));
   }
-  history_.facts.push_back(
-      {{"t", at(until)}, {"kind", "recording"}, {"began", at(0.0)}, {"ended", at(until)}, {"moments", moments}});
+  nlohmann::json told = nlohmann::json::array();
+  for (const auto& [from, to] : gaps) told.push_back({at(from), at(to)});
+  history_.facts.push_back({{"t", at(until)},
+                            {"kind", "recording"},
+                            {"began", at(0.0)},
+                            {"ended", at(until)},
+                            {"moments", moments},
+                            {"manifest", {{"gaps", told}, {"ended_by", ended_by}}}});
   return *this;
 }
 

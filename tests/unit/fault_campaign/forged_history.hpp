@@ -78,7 +78,10 @@ class ForgedHistory {
   ForgedHistory& fault(double struck, double ended, std::set<std::string> words);
   ForgedHistory& start(double t);
   ForgedHistory& ended(double t);
-  ForgedHistory& recorded(const std::vector<std::pair<double, double>>& spans, double until);
+  // `gaps`: what its manifest tells as missed.
+  ForgedHistory& recorded(const std::vector<std::pair<double, double>>& spans, double until,
+                          const std::vector<std::pair<double, double>>& gaps = {},
+                          const std::string& ended_by = "told to");
   ForgedHistory& printed(const std::string& name, const std::string& text);
 
   // In the order of time.

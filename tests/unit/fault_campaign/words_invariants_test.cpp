@@ -83,9 +83,9 @@ TEST(TasksEndWithTheReason, BreaksWhenNothingIsToldAnyMore) {
 
 TEST(RecordingGoesOn, HoldsForARecordingWithAPauseForTheNextPart) {
   ForgedHistory forged;
-  forged.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 8.0}, {11.0, 20.0}}, 20.0);
+  forged.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 8.0}, {11.0, 20.0}}, 20.0, {{7.6, 11.0}});
   const Verdict verdict = recording_goes_on(forged.timeline(), forged_bars());
-  EXPECT_EQ(verdict.judged, 1);
+  EXPECT_EQ(verdict.judged, 2);
   EXPECT_FALSE(verdict.broken());
 }
 
@@ -105,6 +105,21 @@ TEST(RecordingGoesOn, MissesNothingWhereNothingWasSaid) {
   ForgedHistory forged;
   forged.still(0.0, 8.0).still(16.0, 20.0).fault(8.0, 15.0, {}).recorded({{0.0, 8.0}, {16.0, 20.0}}, 20.0);
   EXPECT_FALSE(recording_goes_on(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(RecordingGoesOn, BreaksWhenTheManifestDoesNotTellWhatWasMissed) {
+  ForgedHistory untold;
+  untold.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 8.0}, {11.0, 20.0}}, 20.0);
+  EXPECT_TRUE(recording_goes_on(untold.timeline(), forged_bars()).broken());
+  ForgedHistory untrue;
+  untrue.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 20.0}}, 20.0, {{8.0, 12.0}});
+  EXPECT_TRUE(recording_goes_on(untrue.timeline(), forged_bars()).broken());
+}
+
+TEST(RecordingGoesOn, BreaksWhenTheManifestSaysThatItEndedByItself) {
+  ForgedHistory forged;
+  forged.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 20.0}}, 20.0, {}, "logger failed");
+  EXPECT_TRUE(recording_goes_on(forged.timeline(), forged_bars()).broken());
 }
 
 TEST(WordsAreClean, HoldsForOrdinaryText) {
