@@ -236,8 +236,11 @@ void judge_tasks(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
     const TaskState& task = heard.message;
     if (heard.foreign || !timeline.is("task-manager", task.session)) continue;
     const std::pair<std::int64_t, std::int64_t> told{task.command_session, task.command_id};
-    // What is refused is told too.
-    if (told == obeyed || task.state == TaskState::REFUSED || task.state == TaskState::IDLE) continue;
+    // What is refused is told too, and an ABORT, which is obeyed whatever its text: of a long one the start alone is
+    // kept.
+    const bool begun = task.state != TaskState::REFUSED && task.state != TaskState::IDLE &&
+                       task.state != TaskState::STOPPED && task.state != TaskState::FAILED;
+    if (told == obeyed || !begun) continue;
     obeyed = told;
     double age = -1.0;  // s, the least; below 0: not heard
     bool aborted = false;

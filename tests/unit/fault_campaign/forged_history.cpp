@@ -4,9 +4,7 @@
 #include <cmath>
 
 namespace markservo::campaign {
-namespace {
-
-const std::map<std::string, std::pair<int, std::int64_t>>& stack() {
+const std::map<std::string, std::pair<int, std::int64_t>>& forged_stack() {
   static const std::map<std::string, std::pair<int, std::int64_t>> all = {{"simulator", {11, kSimulator}},
                                                                           {"visual-servo", {12, kServo}},
                                                                           {"task-manager", {13, kTask}},
@@ -14,8 +12,6 @@ const std::map<std::string, std::pair<int, std::int64_t>>& stack() {
                                                                           {"mark-detector", {15, 105}}};
   return all;
 }
-
-}  // namespace
 
 Bars forged_bars() {
   Bars bars;
@@ -36,7 +32,7 @@ SimBody held_book(double height) {
 }
 
 ForgedHistory::ForgedHistory() {
-  for (const auto& [service, process_and_session] : stack()) {
+  for (const auto& [service, process_and_session] : forged_stack()) {
     process(0.0, 0.1, service, 'S');
     says(0.0, 0.1, service, "ready");
   }
@@ -217,7 +213,7 @@ ForgedHistory& ForgedHistory::task_state(double t, int state, const std::string&
 
 ForgedHistory& ForgedHistory::says(double from, double to, const std::string& service, const std::string& state,
                                    const std::string& channel, int received) {
-  const auto& [pid, session] = stack().at(service);
+  const auto& [pid, session] = forged_stack().at(service);
   for (double t = from; t < to; t += 1.0) {
     ServiceStatus status{};
     status.utime = at(t);
@@ -246,64 +242,6 @@ ForgedHistory& ForgedHistory::messages(double from, double to, const std::string
     event.size = size;
     history_.events.push_back(event);
   }
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::process(double from, double to, const std::string& service, char state, double rss_mb) {
-  for (double t = from; t < to; t += 0.5) {
-    history_.facts.push_back({{"t", at(t)},
-                              {"kind", "process"},
-                              {"service", service},
-                              {"pid", stack().at(service).first},
-                              {"state", std::string(1, state)},
-                              {"rss_mb", rss_mb}});
-  }
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::fault(double struck, double ended, std::set<std::string> words) {
-  history_.facts.push_back({{"t", at(0.0)},
-                            {"kind", "fault"},
-                            {"what", "planned"},
-                            {"index", faults_},
-                            {"describe", "forged"},
-                            {"words", words}});
-  history_.facts.push_back({{"t", at(struck)}, {"kind", "fault"}, {"what", "strike"}, {"index", faults_}});
-  history_.facts.push_back({{"t", at(ended)}, {"kind", "fault"}, {"what", "end"}, {"index", faults_}});
-  ++faults_;
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::ended(double t) {
-  history_.facts.push_back({{"t", at(t)}, {"kind", "end"}});
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::start(double t) {
-  history_.facts.push_back({{"t", at(t)}, {"kind", "start"}, {"target", "red_book"}});
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::recorded(const std::vector<std::pair<double, double>>& spans, double until,
-                                       const std::vector<std::pair<double, double>>& gaps,
-                                       const std::string& ended_by) {
-  std::vector<std::int64_t> moments;
-  for (const auto& [from, to] : spans) {
-    for (double t = from; t < to; t += 0.1) moments.push_back(at(t));
-  }
-  nlohmann::json told = nlohmann::json::array();
-  for (const auto& [from, to] : gaps) told.push_back({at(from), at(to)});
-  history_.facts.push_back({{"t", at(until)},
-                            {"kind", "recording"},
-                            {"began", at(0.0)},
-                            {"ended", at(until)},
-                            {"moments", moments},
-                            {"manifest", {{"gaps", told}, {"ended_by", ended_by}}}});
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::printed(const std::string& name, const std::string& text) {
-  history_.printed[name] = text;
   return *this;
 }
 

@@ -25,6 +25,8 @@ inline std::int64_t at(double seconds) {
   return kBegin + static_cast<std::int64_t>(seconds * 1e6);
 }
 
+// Process and session of each service of the stack.
+const std::map<std::string, std::pair<int, std::int64_t>>& forged_stack();
 // Limits as of a robot whose joints turn a quarter of a turn each way, at 5 rad/s.
 Bars forged_bars();
 

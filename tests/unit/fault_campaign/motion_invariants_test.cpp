@@ -147,6 +147,12 @@ TEST(MotionHasAGoal, BreaksForATaskThatNobodyAskedFor) {
   EXPECT_FALSE(motion_has_a_goal(lost.timeline(), forged_bars()).broken());
 }
 
+TEST(MotionHasAGoal, AsksForNoCommandThatAStoppedTaskTells) {
+  ForgedHistory forged;
+  forged.still(0.0, 5.0).task_state(2.1, TaskState::STOPPED, "aborted by operator", 7);
+  EXPECT_FALSE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
+}
+
 TEST(MotionHasAGoal, BreaksWhenAMoverFollowsWhatNobodySent) {
   ForgedHistory forged;
   forged.still(0.0, 6.0).follows(4.0, kStranger);
@@ -180,93 +186,6 @@ TEST(MotionHasAGoal, LetsAStrangerDriveWhoCommandsAlone) {
   ForgedHistory forged;
   forged.world(0.0, 8.0, kStands, kMoves).base_commands(2.5, 4.2, 0.1, {kStranger});
   EXPECT_FALSE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, HoldsWhileCommandsComeAndAtRestWithout) {
-  ForgedHistory forged;
-  forged.world(0.0, 8.0, kMoves, kMoves).joint_commands(0.5, 4.0).base_commands(0.5, 4.0);
-  const Verdict verdict = silence_is_rest(forged.timeline(), forged_bars());
-  EXPECT_GT(verdict.judged, 10);
-  EXPECT_FALSE(verdict.broken());
-}
-
-TEST(SilenceIsRest, BreaksWhenTheArmGoesOnWithoutCommands) {
-  ForgedHistory forged;
-  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 3.0);
-  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, BreaksWhenTheBaseGoesOnWithoutCommands) {
-  ForgedHistory forged;
-  forged.world(0.0, 8.0, kStands, [](double t) { return 0.1 * std::clamp(t - 3.0, 0.0, 4.0); }).base_commands(0.5, 3.0);
-  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, BreaksForAMotionThatNobodyEverCommanded) {
-  ForgedHistory forged;
-  forged.world(0.0, 8.0, kMoves, kStands);
-  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, TakesNoCommandForFreshThatAnswersAnOldMeasurement) {
-  ForgedHistory fresh;
-  fresh.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5, 0.0, 1.0, {kServo, kSimulator, 0.25});
-  EXPECT_FALSE(silence_is_rest(fresh.timeline(), forged_bars()).broken());
-  ForgedHistory old;
-  old.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5, 0.0, 1.0, {kServo, kSimulator, 0.4});
-  EXPECT_TRUE(silence_is_rest(old.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, TakesNoCommandForFreshThatWasMadeForAnotherMover) {
-  ForgedHistory forged;
-  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5, 0.0, 1.0, {kServo, 55});
-  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, TakesNoCommandForFreshThatLeapsAway) {
-  ForgedHistory forged;
-  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5, 1.5, 1.0, {kStranger});
-  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, LetsAStrangerCommandWhoWritesAlone) {
-  ForgedHistory forged;
-  forged.world(0.0, 8.0, kMoves, kMoves).joint_commands(0.5, 2.0).base_commands(0.5, 2.0);
-  forged.joint_commands(2.5, 4.5, 0.0, 1.0, {kStranger}).base_commands(2.5, 4.5, 0.0, {kStranger});
-  EXPECT_FALSE(silence_is_rest(forged.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, BreaksWhenAStrangerUnderTheStacksOwnSessionIsObeyed) {
-  ForgedHistory forged;
-  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 2.0);
-  forged.joint_commands(2.1, 4.5, 0.0, 1.0, {kServo, kSimulator, 0.0, true});
-  EXPECT_TRUE(silence_is_rest(forged.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, BreaksWhenAMoverGoesOnWhileTwoWriteItsCommands) {
-  ForgedHistory arm;
-  arm.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5);
-  arm.joint_commands(2.03, 4.5, 0.0, 1.0, {kStranger});
-  EXPECT_TRUE(silence_is_rest(arm.timeline(), forged_bars()).broken());
-  ForgedHistory base;
-  base.world(0.0, 8.0, kStands, kMoves).base_commands(0.5, 4.5).base_commands(2.03, 4.5, 0.0, {kStranger});
-  EXPECT_TRUE(silence_is_rest(base.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, LetsAMoverGoOnThatAResetReleasedAfterTwoWrote) {
-  ForgedHistory forged;
-  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.2, 4.5).stop_state(0.1, "arm", false, 3);
-  forged.joint_commands(0.53, 0.7, 0.0, 1.0, {kStranger}).stop_state(0.8, "arm", true, 3);
-  forged.stop_state(2.0, "arm", false, 4);
-  EXPECT_FALSE(silence_is_rest(forged.timeline(), forged_bars()).broken());
-}
-
-TEST(SilenceIsRest, TakesNoLateCopyForASecondWriter) {
-  // Each command once more, 10 ms late: as it was, so that nobody new speaks.
-  ForgedHistory forged;
-  forged.world(0.0, 8.0, kMoves, kStands).joint_commands(0.5, 4.5);
-  forged.joint_commands_again(0.01);
-  EXPECT_FALSE(silence_is_rest(forged.timeline(), forged_bars()).broken());
 }
 
 TEST(LatchedIsStill, BreaksWhenTheBaseTurnsUnderALatch) {
