@@ -27,6 +27,7 @@ struct Bars {
   double truth_period = 0.02;       // s: the mover's time is told so often
   double doubt = 0.1;               // s, I3: so much before a rule's edge two writers are plain
   double lead_doubt = 0.15;         // rad, I3: the shafts are known at 15 Hz only
+  double alone = 1.0;               // s without a second one's word: then one writes alone again
   double goal_age = 0.6;            // s, I2
   double hearing = 0.15;            // s: the trial hears a message later than its reader, by a frame at most
   double arm_braking = 0.2;         // s: from 5 rad/s at 100 rad/s^2, and the frames between which truth is told

@@ -104,9 +104,10 @@ bool finite(const std::vector<double>& values) {
 }
 
 bool all_within(const std::vector<double>& values, const std::vector<double>& low, const std::vector<double>& high) {
+  constexpr double kRounding = 1e-6;
   if (values.size() != high.size()) return false;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!(values[i] >= low[i] && values[i] <= high[i])) return false;
+    if (!(values[i] >= low[i] - kRounding && values[i] <= high[i] + kRounding)) return false;
   }
   return true;
 }
@@ -179,9 +180,13 @@ std::vector<OfferedCommand> offered_to_base(const Timeline& timeline, const Bars
 bool moved_by_a_stranger(const Commands& commands, double from, double to, double moment, const Bars& bars) {
   const auto at = std::lower_bound(commands.strangers.begin(), commands.strangers.end(), from - moment);
   if (at != commands.strangers.end() && *at <= to) return true;
-  return std::any_of(commands.conflicts.begin(), commands.conflicts.end(), [&](const TwoWriters& two) {
-    return from <= two.world + bars.latch_time + moment && to >= two.world - bars.command_age;
-  });
+  double last = -1e9;
+  for (const TwoWriters& two : commands.conflicts) {
+    const bool first = two.world - last > bars.alone;  // what goes on is known by then
+    last = two.world;
+    if (first && from <= two.world + bars.latch_time + moment && to >= two.world - bars.command_age) return true;
+  }
+  return false;
 }
 
 Commands judged_as_the_mover(const Timeline& timeline, const std::vector<OfferedCommand>& offered, const char* device,

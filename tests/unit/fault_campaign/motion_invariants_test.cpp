@@ -182,6 +182,17 @@ TEST(MotionHasAGoal, BreaksWhenTheBaseTurnsWithoutAGoal) {
   EXPECT_TRUE(motion_has_a_goal(forged.timeline(), forged_bars()).broken());
 }
 
+TEST(MotionHasAGoal, BreaksForMotionLongAfterTwoBeganToCommand) {
+  // One of two is obeyed until they are known to be two, and no longer.
+  ForgedHistory at_once;
+  at_once.world(0.0, 8.0, kStands, kMoves).base_commands(1.0, 5.0).base_commands(3.03, 5.0, 0.0, {kStranger});
+  EXPECT_TRUE(motion_has_a_goal(at_once.timeline(), forged_bars()).broken());
+  const auto jerks = [](double t) { return 0.1 * std::clamp(t - 3.1, 0.0, 0.2); };
+  ForgedHistory jerk;
+  jerk.world(0.0, 8.0, kStands, jerks).base_commands(1.0, 5.0).base_commands(3.03, 5.0, 0.0, {kStranger});
+  EXPECT_FALSE(motion_has_a_goal(jerk.timeline(), forged_bars()).broken());
+}
+
 TEST(MotionHasAGoal, LetsAStrangerDriveWhoCommandsAlone) {
   ForgedHistory forged;
   forged.world(0.0, 8.0, kStands, kMoves).base_commands(2.5, 4.2, 0.1, {kStranger});
