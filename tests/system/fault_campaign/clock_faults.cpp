@@ -28,10 +28,7 @@ class Relay : public Fault {
   }
   std::set<std::string> words() const override {
     auto words = words_of_service(plan().service);
-    for (const char* channel : {"TARGET_POSE", "JOINT_STATE", "SERVO_STATUS", "BASE_STATUS", "STOP_STATE",
-                                "WHEEL_ODOMETRY", "ROBOT_POSE", "stop device"}) {
-      words.insert(channel);
-    }
+    words.merge(words_heard_by(plan().service));
     return words;
   }
   void prepare(Bench& bench, StackSetup& setup) override {
@@ -89,11 +86,7 @@ class SteppedStamps : public Fault {
     return text("what %s writes is stamped %+.0f s off for %.1f s", plan().service.c_str(), plan().amount,
                 plan().duration);
   }
-  std::set<std::string> words() const override {
-    auto words = words_of_service(plan().service);
-    words.insert({"clock", "future", "too old"});
-    return words;
-  }
+  std::set<std::string> words() const override { return words_of_service(plan().service); }
   void prepare(Bench&, StackSetup& setup) override {
     setup.arguments.insert(setup.arguments.end(), {"--args", plan().service, "--lcm-out " + relay_url()});
   }
@@ -129,7 +122,7 @@ class WallClock : public Fault {
                            plan().duration);
   }
   std::set<std::string> words() const override {
-    std::set<std::string> words{"clock", "future", "too old"};
+    std::set<std::string> words;
     for (const std::string& service : struck()) {
       const auto more = words_of_service(service);
       words.insert(more.begin(), more.end());

@@ -13,29 +13,6 @@
 namespace markservo::campaign {
 namespace {
 
-// Where the shafts were around a moment: at the last stamp before it, and at the next.
-class ShaftsAround {
- public:
-  explicit ShaftsAround(const Timeline& timeline) : truth_(timeline.truth) {}
-
-  // How far `angle` of joint `i` is from where that joint was around `t`, rad; false where nothing is known.
-  bool distance(std::int64_t t, std::size_t i, double angle, double& distance) const {
-    const auto after = std::upper_bound(truth_.begin(), truth_.end(), t,
-                                        [](std::int64_t time, const auto& truth) { return time < truth.t; });
-    if (after == truth_.begin() || after == truth_.end()) return false;
-    const SimTruth& last = std::prev(after)->message;
-    const SimTruth& next = after->message;
-    if (!same_world(last, next) || i >= last.shaft.size() || i >= next.shaft.size()) return false;
-    const double low = std::min(last.shaft[i], next.shaft[i]);
-    const double high = std::max(last.shaft[i], next.shaft[i]);
-    distance = angle < low ? low - angle : angle > high ? angle - high : 0.0;
-    return true;
-  }
-
- private:
-  const Stream<SimTruth>& truth_;
-};
-
 bool within(double value, const std::vector<double>& low, const std::vector<double>& high, std::size_t i,
             double rounding) {
   return i >= low.size() || (value >= low[i] - rounding && value <= high[i] + rounding);
@@ -51,6 +28,45 @@ std::string wrong_joint(const JointCommand& command, std::size_t i, const Bars& 
     return text("joint %zu at %.4f rad/s, its limit is %.4f", i, speed, bars.joint_speed[i]);
   }
   return {};
+}
+
+// Whoever commanded it, the arm stays within its joints' limits, and no joint is faster than it may be.
+void judge_true_arm(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
+  const std::size_t joints = bars.joint_speed.size();
+  for (const ArmStep& step : arm_steps(timeline)) {
+    const std::vector<double>& from = step.from->message.shaft;
+    const std::vector<double>& to = step.to->message.shaft;
+    if (from.size() != joints || to.size() != joints) continue;
+    ++verdict.judged;
+    // By the stamps, which are exact; the world's own seconds where the clock was set between them.
+    const double told = seconds_between(step.from->message.utime, step.to->message.utime);
+    const double passed = step.to->world - step.from->world;
+    const double seconds = std::max({told > 0.0 && told < 1.0 ? told : passed, bars.truth_period});
+    for (std::size_t i = 0; i < joints; ++i) {
+      if (!within(to[i], bars.joint_min, bars.joint_max, i, bars.shaft_slack)) {
+        note(verdict, step.to->t,
+             text("joint %zu is at %.4f rad at %.2f s (world), outside its limits", i, to[i], step.to->world));
+      }
+      const double speed = std::abs(to[i] - from[i]) / seconds;
+      if (speed <= bars.joint_speed[i] * bars.speed_share + bars.shaft_slack / seconds) continue;
+      note(verdict, step.to->t,
+           text("joint %zu leaps: %.4f rad in %.3f s by %.2f s (world); its limit is %.3f rad/s", i,
+                std::abs(to[i] - from[i]), seconds, step.to->world, bars.joint_speed[i]));
+    }
+  }
+}
+
+// Likewise the base.
+void judge_true_base(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
+  for (const auto& truth : timeline.base_truth) {
+    ++verdict.judged;
+    if (std::abs(truth.message.speed) <= bars.base_speed * bars.speed_share &&
+        std::abs(truth.message.turn_rate) <= bars.base_turn_rate * bars.speed_share)
+      continue;
+    note(verdict, truth.t,
+         text("the base moves at %.3f m/s and %.3f rad/s at %.2f s (world); allowed: %.3f and %.3f",
+              truth.message.speed, truth.message.turn_rate, truth.world, bars.base_speed, bars.base_turn_rate));
+  }
 }
 
 // One reset, as often as it was heard.
@@ -90,6 +106,8 @@ Verdict commands_are_within_limits(const Timeline& timeline, const Bars& bars) {
                 bars.base_speed, bars.base_turn_rate));
     }
   }
+  judge_true_arm(timeline, bars, verdict);
+  judge_true_base(timeline, bars, verdict);
   return verdict;
 }
 
@@ -114,7 +132,8 @@ Verdict release_needs_a_fresh_reset(const Timeline& timeline, const Bars& bars) 
       reset.heard = true;
       reset.age = std::min(reset.age, std::abs(seconds_between(asked.utime, state.utime)));
     }
-    if (reset.heard && reset.age <= bars.reset_age + bars.reset_slack) continue;
+    const double lost = timeline.loses_messages(heard.t) ? bars.state_period : 0.0;
+    if (reset.heard && reset.age <= bars.reset_age + bars.reset_rounding + lost) continue;
     note(verdict, heard.t,
          text("%s released at %.2f s (world) by %s", state.device.c_str(), heard.world,
               reset.heard ? text("a reset %.1f s old", reset.age).c_str() : "no reset that was heard"));

@@ -72,10 +72,10 @@ class LyingSensor : public Fault {
     return text("%s=%.0f for %.1f s", plan().variant.c_str(), plan().amount, plan().duration);
   }
   std::set<std::string> words() const override {
-    std::set<std::string> words{
-        "JOINT_STATE", "arm",  "joint",       "TARGET_POSE",  "mark",   "hand", "WHEEL_ODOMETRY",
-        "ROBOT_POSE",  "base", "BASE_STATUS", "SERVO_STATUS", "target", "grip"};
-    return words;
+    // A sensor's channel, and what it shows.
+    if (plan().variant == "faults.frozen_camera") return {"STEREO_FRAME", "TARGET_POSE", "mark", "sight"};
+    if (plan().variant == "faults.frozen_joint") return {"JOINT_STATE", "joint"};
+    return {"WHEEL_ODOMETRY", "ROBOT_POSE", "encoder"};
   }
   void strike(Bench& bench) override { ask(bench, plan().amount); }
   void end(Bench& bench) override { ask(bench, 0.0); }

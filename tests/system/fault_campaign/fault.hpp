@@ -67,8 +67,11 @@ std::unique_ptr<Fault> make_network_fault(const FaultPlan& plan);
 std::unique_ptr<Fault> make_clock_fault(const FaultPlan& plan);
 std::unique_ptr<Fault> make_device_fault(const FaultPlan& plan);
 
-// What names a channel or a process in an honest reason: itself, and what can only be seen of it further on.
+// What names a channel or a process in an honest reason: itself, and what can only be seen of it further on. No words
+// that stand in any reason ("stop", "base"): then every reason would name every fault.
 std::set<std::string> words_of_channel(const std::string& channel);
 std::set<std::string> words_of_service(const std::string& service);
+// What a fault on a service's way in may be named by.
+std::set<std::string> words_heard_by(const std::string& service);
 
 }  // namespace markservo::campaign

@@ -128,10 +128,13 @@ class Campaign {
       fs::remove_all(folder);
       fs::create_directories(folder);
       result = carry_out(seed, draw, folder);
-      if (result.at("phase_reached").get<bool>() && result.at("struck").get<bool>()) break;
+      // What may never break is a breach wherever it does, whether or not the draw proves what it should.
+      if (proves_what_it_should(result) || breaks_what_may_never_break(result)) break;
       history.push_back({{"draw", draw},
                          {"phase", result.at("phase")},
                          {"faults", result.at("faults")},
+                         {"broken", result.at("broken")},
+                         {"breaches", result.at("breaches")},
                          {"problem", result.at("problem")}});
     }
     result["drawn_again"] = history;

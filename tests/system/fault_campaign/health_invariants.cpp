@@ -14,7 +14,7 @@
 namespace markservo::campaign {
 namespace {
 
-// What each service cannot work without, and what it writes all the time.
+// What each service says that it needs (its bus.need()), and what it writes all the time.
 struct Needs {
   std::vector<std::string> hears;
   std::vector<std::string> speaks;
@@ -22,13 +22,14 @@ struct Needs {
 
 const std::map<std::string, Needs>& needs() {
   static const std::map<std::string, Needs> all = {
-      {"simulator", {{}, {"JOINT_STATE", "WHEEL_ODOMETRY"}}},
+      {"simulator", {{}, {"JOINT_STATE", "STOP_STATE", "WHEEL_ODOMETRY", "SONAR_SCAN"}}},
       {"mark-detector", {{"STEREO_FRAME"}, {"MARK_DETECTION"}}},
       {"target-locator", {{"MARK_DETECTION"}, {"TARGET_POSE"}}},
-      {"visual-servo", {{"TARGET_POSE", "JOINT_STATE"}, {"JOINT_COMMAND"}}},
-      {"task-manager", {{"SERVO_STATUS"}, {"TASK_STATE"}}},
-      {"rfid-localizer", {{"WHEEL_ODOMETRY"}, {"ROBOT_POSE"}}},
-      {"base-navigator", {{"ROBOT_POSE", "WHEEL_ODOMETRY"}, {"BASE_COMMAND"}}},
+      {"visual-servo", {{"TARGET_POSE", "JOINT_STATE", "STOP_STATE"}, {"JOINT_COMMAND", "SERVO_STATUS"}}},
+      {"task-manager", {{"SERVO_STATUS", "TARGET_POSE", "JOINT_STATE", "STOP_STATE"}, {"TASK_STATE"}}},
+      {"rfid-localizer", {{"RFID_TAG_HITS"}, {"ROBOT_POSE"}}},
+      {"base-navigator",
+       {{"WHEEL_ODOMETRY", "ROBOT_POSE", "SONAR_SCAN", "STOP_STATE"}, {"BASE_COMMAND", "BASE_STATUS"}}},
   };
   return all;
 }
@@ -131,28 +132,56 @@ std::set<std::string> ready_before(const Timeline& timeline) {
   return ready;
 }
 
+// The share of [from, to] in which a service's newest word was that it is ready; a word counts until the next.
+double ready_share(const std::vector<const Heard<ServiceStatus>*>& words, std::int64_t from, std::int64_t to) {
+  std::int64_t ready = 0;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!is_ready(words[i]->message.state)) continue;
+    const std::int64_t begin = std::max(from, words[i]->t);
+    const std::int64_t end = std::min(to, i + 1 < words.size() ? words[i + 1]->t : to);
+    ready += std::max<std::int64_t>(0, end - begin);
+  }
+  return static_cast<double>(ready) / static_cast<double>(std::max<std::int64_t>(1, to - from));
+}
+
+// Ready at the end, and not now and then only: one that is stale every other moment is not as it was before.
 void judge_readiness(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
   const std::int64_t gone = timeline.faults_gone();
   const std::int64_t end = std::min(timeline.ended_at, gone + static_cast<std::int64_t>(bars.recovery * 1e6));
+  // A trial whose stack was well for a while ended then.
+  const bool waited = seconds_between(gone, end) > bars.recovery - 1.0;
+  const std::int64_t from = end - static_cast<std::int64_t>((waited ? bars.ready_age : bars.ready_age / 2.0) * 1e6);
   for (const std::string& service : ready_before(timeline)) {
     ++verdict.judged;
-    const Heard<ServiceStatus>* last = nullptr;
-    const Heard<ServiceStatus>* ready = nullptr;
+    std::vector<const Heard<ServiceStatus>*> words;
     for (const auto& heard : timeline.statuses) {
       const bool own = !heard.foreign && heard.message.name == service && timeline.is(service, heard.message.session);
-      if (!own || heard.t <= gone || heard.t > end) continue;
-      last = &heard;
-      if (is_ready(heard.message.state)) ready = &heard;
+      if (own && heard.t > gone && heard.t <= end) words.push_back(&heard);
     }
+    const bool speaks = !words.empty() && seconds_between(words.back()->t, end) <= bars.ready_age;
+    const double share = ready_share(words, std::max(from, gone), end);
     // A goal that comes a little late on a busy machine is told as stale now and then.
-    if (ready != nullptr && seconds_between(ready->t, end) <= bars.ready_age) continue;
+    if (speaks && share >= bars.ready_share) continue;
     note(verdict, end,
-         last == nullptr
+         words.empty()
              ? text("%s has said nothing in %.1f s since the fault was gone", service.c_str(),
                     seconds_between(gone, end))
-             : text("%s says %s %.1f s after the fault was gone: %.200s", service.c_str(), last->message.state.c_str(),
-                    seconds_between(gone, last->t), last->message.reason.c_str()));
+             : text("%s says %s %.1f s after the fault was gone, and was ready in %.0f%% of the last %.0f s: %.200s",
+                    service.c_str(), words.back()->message.state.c_str(), seconds_between(gone, words.back()->t),
+                    100.0 * share, seconds_between(from, end), words.back()->message.reason.c_str()));
   }
+}
+
+// us, when all had said that they are ready which were before the faults.
+std::int64_t ready_since(const Timeline& timeline) {
+  std::set<std::string> missing = ready_before(timeline);
+  std::int64_t since = 0;
+  for (const auto& heard : timeline.statuses) {
+    if (missing.empty()) break;
+    if (heard.foreign || !is_ready(heard.message.state) || missing.erase(heard.message.name) == 0) continue;
+    since = heard.t;
+  }
+  return since;
 }
 
 void judge_memory(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
@@ -168,62 +197,6 @@ void judge_memory(const Timeline& timeline, const Bars& bars, Verdict& verdict) 
     ++verdict.judged;
     if (after - before > bars.memory_mb)
       note(verdict, timeline.ended_at, text("%s had %.1f MB and has %.1f MB", service.c_str(), before, after));
-  }
-}
-
-// A channel's messages of the stack within [from, to).
-struct Load {
-  double bytes = 0.0;
-  double messages = 0.0;
-  double size() const { return messages > 0.0 ? bytes / messages : 0.0; }
-};
-
-Load load_of(const std::vector<Traffic>& traffic, std::int64_t from, std::int64_t to) {
-  Load load;
-  for (const Traffic& one : traffic) {
-    if (one.foreign || one.t < from || one.t >= to) continue;
-    load.bytes += static_cast<double>(one.size);
-    load.messages += 1.0;
-  }
-  return load;
-}
-
-// Whether `now` messages a second are more than scatter explains, where there were `then`.
-bool many(double then, double now, const Bars& bars) {
-  return now > bars.rate_factor * then + bars.rate_floor + (then == 0.0 ? bars.rate_floor : 0.0);
-}
-
-// By channel, since rates are the machine's: how large messages are, and how many come in the world's time.
-void judge_bytes(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
-  constexpr std::int64_t kLongBefore_us = 6'000'000;
-  static const std::set<std::string> kOwn = {"STOP", "TASK_COMMAND", "SIM_CONTROL"};
-  // What is seen decides how large these are.
-  static const std::set<std::string> kPictures = {"STEREO_FRAME", "MARK_DETECTION", "STEREO_MATCHES"};
-  const std::int64_t strike = timeline.first_strike();
-  const std::int64_t calm = timeline.faults_gone() + static_cast<std::int64_t>(bars.calm * 1e6);
-  const std::int64_t before = strike - kLongBefore_us;
-  const double seconds_before = timeline.clock.at(strike) - timeline.clock.at(before);
-  const double seconds_after = timeline.clock.at(timeline.ended_at) - timeline.clock.at(calm);
-  if (seconds_before < 1.0 || seconds_after < 1.0) return;
-  for (const auto& [channel, traffic] : timeline.traffic) {
-    if (kOwn.count(channel) > 0 || kPictures.count(channel) > 0) continue;
-    if (channel.rfind("SIM_", 0) == 0) continue;  // no robot has them
-    const Load then = load_of(traffic, before, strike);
-    const Load now = load_of(traffic, calm, timeline.ended_at);
-    if (now.messages == 0.0) continue;
-    ++verdict.judged;
-    if (then.messages > 0.0 && now.size() > then.size() * (1.0 + bars.bytes_share) + bars.bytes_floor) {
-      note(verdict, timeline.ended_at,
-           text("%s: messages of %.0f bytes before, of %.0f bytes after", channel.c_str(), then.size(), now.size()));
-    }
-    // Some are sent by the world's time, some by the hour; a busy machine slows the one and not the other.
-    const bool more_by_world = many(then.messages / seconds_before, now.messages / seconds_after, bars);
-    const bool more_by_hour = many(then.messages / seconds_between(before, strike),
-                                   now.messages / seconds_between(calm, timeline.ended_at), bars);
-    if (!more_by_world || !more_by_hour) continue;
-    note(verdict, timeline.ended_at,
-         text("%s: %.1f messages/s before, %.1f after", channel.c_str(), then.messages / seconds_before,
-              now.messages / seconds_after));
   }
 }
 
@@ -245,7 +218,7 @@ Verdict recovers_unaided(const Timeline& timeline, const Bars& bars) {
   if (!struck) return verdict;
   judge_readiness(timeline, bars, verdict);
   judge_memory(timeline, bars, verdict);
-  judge_bytes(timeline, bars, verdict);
+  judge_load(timeline, ready_since(timeline), bars, verdict);
   return verdict;
 }
 

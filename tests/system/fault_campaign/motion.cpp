@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace markservo::campaign {
 namespace {
@@ -19,6 +20,23 @@ double farthest_joint(const std::vector<double>& a, const std::vector<double>& b
 
 double way_between(const SimBaseTruth& a, const SimBaseTruth& b) {
   return std::hypot(b.pose.x - a.pose.x, b.pose.y - a.pose.y);
+}
+
+double turn_between(const SimBaseTruth& a, const SimBaseTruth& b) {
+  return std::abs(std::remainder(b.pose.heading - a.pose.heading, 2.0 * std::acos(-1.0)));
+}
+
+bool ShaftsAround::distance(std::int64_t t, std::size_t i, double angle, double& distance) const {
+  const auto after = std::upper_bound(truth_.begin(), truth_.end(), t,
+                                      [](std::int64_t time, const auto& truth) { return time < truth.t; });
+  if (after == truth_.begin() || after == truth_.end()) return false;
+  const SimTruth& last = std::prev(after)->message;
+  const SimTruth& next = after->message;
+  if (!same_world(last, next) || i >= last.shaft.size() || i >= next.shaft.size()) return false;
+  const double low = std::min(last.shaft[i], next.shaft[i]);
+  const double high = std::max(last.shaft[i], next.shaft[i]);
+  distance = angle < low ? low - angle : angle > high ? angle - high : 0.0;
+  return true;
 }
 
 bool same_world(const SimTruth& last, const SimTruth& next) {
@@ -54,7 +72,7 @@ std::vector<BaseStep> base_steps(const Timeline& timeline) {
     const double seconds = truth.world - last->world;
     if (seconds < kBaseStep_s) continue;
     const double way = way_between(last->message, truth.message);
-    steps.push_back({last, &truth, way, way / seconds});
+    steps.push_back({last, &truth, way, way / seconds, turn_between(last->message, truth.message) / seconds});
     last = &truth;
   }
   return steps;

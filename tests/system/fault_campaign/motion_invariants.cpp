@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -11,16 +12,11 @@
 #include "tests/system/fault_campaign/floor.hpp"
 #include "tests/system/fault_campaign/invariants.hpp"
 #include "tests/system/fault_campaign/motion.hpp"
+#include "tests/system/fault_campaign/mover.hpp"
 #include "tests/system/fault_campaign/words.hpp"
 
 namespace markservo::campaign {
 namespace {
-
-// s, until a base that moves so stands.
-double base_braking(const SimBaseTruth& truth, const Bars& bars) {
-  return std::max(std::abs(truth.speed) / bars.base_deceleration, std::abs(truth.turn_rate) / bars.turn_deceleration) +
-         bars.base_settles;
-}
 
 // While a device of one simulator is latched, by its own word.
 struct Latch {
@@ -90,12 +86,64 @@ void judge_base_latches(const Timeline& timeline, const Bars& bars, Verdict& ver
         ++verdict.judged;
       }
       const double way = way_between(rest->message, truth.message);
-      if (way > bars.base_still_m) {
+      const double turn = turn_between(rest->message, truth.message);
+      if (way > bars.base_still_m || turn > bars.base_still_rad) {
         note(verdict, truth.t,
-             text("latched since %.2f s (world), and the base moved %.4f m by %.2f s", latch.from, way, truth.world));
+             text("latched since %.2f s (world), and the base moved %.4f m and %.4f rad by %.2f s", latch.from, way,
+                  turn, truth.world));
         break;
       }
     }
+  }
+}
+
+// STOPs that a mover must obey: well-formed, and asked for the first time. A STOP is obeyed whatever its time and text.
+std::vector<const Heard<StopRequest>*> new_stops(const Timeline& timeline) {
+  std::vector<const Heard<StopRequest>*> stops;
+  std::map<std::int64_t, std::int64_t> last_id;  // by session
+  for (const auto& heard : timeline.stops) {
+    const StopRequest& asked = heard.message;
+    if (asked.session <= 0 || asked.request_id <= 0 || asked.utime <= 0) continue;
+    std::int64_t& last = last_id[asked.session];
+    const bool fresh = asked.request_id > last;
+    last = std::max(last, asked.request_id);
+    if (fresh && asked.kind == StopRequest::STOP) stops.push_back(&heard);
+  }
+  return stops;
+}
+
+// By the mover's word: latched once it has lived for a moment after a STOP. Its own life is counted, for a machine may
+// be slow, and a process may hang.
+void judge_stop_is_obeyed(const Timeline& timeline, const std::string& device, const Bars& bars, Verdict& verdict) {
+  constexpr double kStep_s = 0.05;  // more between two stamps: it did not live then
+  for (const Heard<StopRequest>* stop : new_stops(timeline)) {
+    if (timeline.loses_messages(stop->t) || timeline.flooded(stop->t)) continue;
+    std::int64_t mover = 0;
+    for (const auto& heard : timeline.stop_states) {
+      const bool own = !heard.foreign && timeline.is("simulator", heard.message.session);
+      if (own && heard.message.device == device && heard.t <= stop->t) mover = heard.message.session;
+    }
+    double lived = 0.0;
+    std::int64_t due = 0;  // us, when it has lived so long
+    std::int64_t before = 0;
+    for (const auto& truth : timeline.base_truth) {
+      if (truth.message.session != mover || truth.t < stop->t) continue;
+      if (before != 0) lived += std::clamp(seconds_between(before, truth.message.utime), 0.0, kStep_s);
+      before = truth.message.utime;
+      if (lived <= bars.latch_time + bars.hearing) continue;
+      due = truth.t;
+      break;
+    }
+    if (mover == 0 || due == 0) continue;
+    ++verdict.judged;
+    const bool latched = std::any_of(timeline.stop_states.begin(), timeline.stop_states.end(), [&](const auto& heard) {
+      return !heard.foreign && heard.message.session == mover && heard.message.device == device &&
+             heard.message.latched && heard.t >= stop->t && heard.t <= due;
+    });
+    if (latched || timeline.loses_messages(due)) continue;
+    note(verdict, due,
+         text("STOP was asked at %.2f s (world), and the %s has not said within %.2f s that it is latched", stop->world,
+              device.c_str(), lived));
   }
 }
 
@@ -110,94 +158,63 @@ double newest_goal(const std::vector<const Heard<M>*>& goals, double end) {
   return newest;
 }
 
-// When each message was heard that a mover may obey, s of the world.
-template <class M, class Stamp>
-std::vector<double> fresh_commands(const Timeline& timeline, const Stream<M>& stream, Stamp stamp) {
-  constexpr double kFresh_s = 1.0;  // what is older answers another time
-  std::vector<double> times;
-  std::int64_t newest = 0;
-  auto truth = timeline.base_truth.begin();
-  for (const auto& heard : stream) {
-    for (; truth != timeline.base_truth.end() && truth->t <= heard.t; ++truth) newest = truth->message.utime;
-    const bool known = newest == 0 || std::abs(seconds_between(stamp(heard.message), newest)) <= kFresh_s;
-    if (known) times.push_back(heard.world);
-  }
-  return times;
-}
-
-// The last of `times` (growing) that is not after `world`; nothing when there is none.
-std::optional<double> last_before(const std::vector<double>& times, double world) {
-  const auto after = std::upper_bound(times.begin(), times.end(), world);
-  if (after == times.begin()) return std::nullopt;
-  return *std::prev(after);
-}
-
-int count_silences(const std::vector<double>& times, double longest) {
-  int silences = 0;
-  for (std::size_t i = 1; i < times.size(); ++i) silences += times[i] - times[i - 1] > longest ? 1 : 0;
-  return silences;
-}
-
-void judge_arm_silence(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
-  const auto times = fresh_commands(timeline, timeline.joint_commands,
-                                    [](const JointCommand& command) { return command.frame_utime; });
-  verdict.judged += count_silences(times, bars.command_age);
-  double moved = 0.0;  // rad, in the present silence
-  double silent_since = -1.0;
+// A goal is obeyed while it is young enough, its last command a little longer, and then there is the braking, from the
+// speed at which the arm or the base truly moved then.
+void judge_arm_motion(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
+  const auto offered = offered_to_arm(timeline, bars);
+  const Commands commands = judged_as_the_mover(timeline, offered, "arm", bars);
+  const auto goals = legal_goals(timeline, timeline.servo_goals, ServoGoal::HOLD, bars.goal_age);
+  double braked = 0.0;  // s, world: when it stands by, after the newest goal
+  double braked_for = -2.0;
   for (const ArmStep& step : arm_steps(timeline)) {
-    const auto last = last_before(times, step.to->world);
-    if (!last) continue;
-    if (silent_since != *last) moved = 0.0;
-    silent_since = *last;
-    if (step.from->world - *last <= bars.command_age + bars.hearing + bars.arm_braking) continue;
+    const double goal = newest_goal(goals, step.to->world);
+    const double expired = goal + bars.goal_age + bars.command_age;
+    if (goal != braked_for && step.to->world >= expired) {
+      braked_for = goal;
+      braked = expired + bars.arm_settles + step.speed / bars.arm_deceleration;
+    }
+    if (step.speed <= bars.arm_moves_rad_s) continue;
     ++verdict.judged;
-    moved += step.way;
-    if (moved <= bars.arm_still_rad) continue;
+    if (goal >= 0.0 && (step.from->world <= expired || (braked_for == goal && step.from->world <= braked))) continue;
+    if (moved_by_a_stranger(commands, step.from->world, step.to->world, bars.command_age + bars.arm_braking, bars))
+      continue;
     note(verdict, step.to->t,
-         text("no fresh JOINT_COMMAND since %.2f s (world), and the arm moved %.4f rad until %.2f s", *last, moved,
-              step.to->world));
-    moved = 0.0;
+         text("the arm moves at %.3f rad/s at %.2f s (world); the newest legal SERVO_GOAL to move: %s", step.speed,
+              step.to->world, goal < 0.0 ? "none" : text("%.2f s", goal).c_str()));
   }
 }
 
-void judge_base_silence(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
-  constexpr double kBraking = -1.0;  // it is not yet known when that will be over
-  const auto times =
-      fresh_commands(timeline, timeline.base_commands, [](const BaseCommand& command) { return command.utime; });
-  verdict.judged += count_silences(times, bars.command_age);
-  const Heard<SimBaseTruth>* rest = nullptr;
-  const Heard<SimBaseTruth>* before = nullptr;
-  double rest_from = kBraking;  // s, world
-  double silent_since = -1.0;
-  for (const auto& truth : timeline.base_truth) {
-    const auto last = last_before(times, truth.world);
-    if (!last) continue;
-    const bool goes_on = before != nullptr && before->message.session == truth.message.session && silent_since == *last;
-    before = &truth;
-    silent_since = *last;
-    if (!goes_on) {
-      rest = nullptr;
-      rest_from = kBraking;
+void judge_base_motion(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
+  const auto offered = offered_to_base(timeline, bars);
+  const Commands commands = judged_as_the_mover(timeline, offered, "base", bars);
+  const auto goals = legal_goals(timeline, timeline.base_goals, BaseGoal::HOLD, bars.goal_age);
+  double braked = 0.0;
+  double braked_for = -2.0;
+  for (const BaseStep& step : base_steps(timeline)) {
+    const double goal = newest_goal(goals, step.to->world);
+    const double expired = goal + bars.goal_age + bars.command_age;
+    if (goal != braked_for && step.to->world >= expired) {
+      braked_for = goal;
+      braked = expired + base_braking(step.to->message, bars);
     }
-    if (truth.world - *last <= bars.command_age + bars.hearing) continue;
-    if (rest_from < 0.0) rest_from = truth.world + base_braking(truth.message, bars);
-    if (truth.world < rest_from) continue;
-    if (rest == nullptr) rest = &truth;
+    if (step.speed <= bars.base_moves_m_s && step.turn_rate <= bars.base_turns_rad_s) continue;
     ++verdict.judged;
-    const double way = way_between(rest->message, truth.message);
-    if (way <= bars.base_silent_m) continue;
-    note(verdict, truth.t,
-         text("no fresh BASE_COMMAND since %.2f s (world), and the base moved %.4f m until %.2f s", *last, way,
-              truth.world));
-    rest = &truth;
+    if (goal >= 0.0 && (step.from->world <= expired || (braked_for == goal && step.from->world <= braked))) continue;
+    const double moment = bars.command_age + base_braking(step.to->message, bars);
+    if (moved_by_a_stranger(commands, step.from->world, step.to->world, moment, bars)) continue;
+    note(verdict, step.to->t,
+         text("the base moves at %.3f m/s and %.3f rad/s at %.2f s (world); the newest legal BASE_GOAL to move: %s",
+              step.speed, step.turn_rate, step.to->world, goal < 0.0 ? "none" : text("%.2f s", goal).c_str()));
   }
 }
 
 // What a mover says that it follows: the one who has the floor, or had it a moment ago.
 template <class Status, class Goal>
 void judge_followed(const Timeline& timeline, const Stream<Status>& statuses, const Stream<Goal>& goals,
-                    const char* service, std::initializer_list<int> moving, const Bars& bars, Verdict& verdict) {
-  const auto holders = floor_holders(goals, bars.goal_age);
+                    const char* channel, const char* service, std::initializer_list<int> moving, const Bars& bars,
+                    Verdict& verdict) {
+  if (goals.empty() && timeline.traffic.count(channel) > 0) return;  // of another version of the type
+  const auto holders = floor_holders(timeline, goals, bars.goal_age);
   const double moment = 2.0 * bars.goal_age + bars.command_age;
   for (const auto& heard : statuses) {
     const Status& status = heard.message;
@@ -205,6 +222,7 @@ void judge_followed(const Timeline& timeline, const Stream<Status>& statuses, co
     if (std::find(moving.begin(), moving.end(), status.state) == moving.end()) continue;
     ++verdict.judged;
     if (had_the_floor(holders, status.goal_session, heard.world - moment, heard.world + bars.hearing)) continue;
+    if (timeline.loses_messages(heard.t)) continue;
     note(verdict, heard.t,
          text("%s follows a goal of session %ld at %.2f s (world), which does not have the floor", service,
               static_cast<long>(status.goal_session), heard.world));
@@ -218,22 +236,29 @@ void judge_tasks(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
     const TaskState& task = heard.message;
     if (heard.foreign || !timeline.is("task-manager", task.session)) continue;
     const std::pair<std::int64_t, std::int64_t> told{task.command_session, task.command_id};
-    // What is refused is told too.
-    if (told == obeyed || task.state == TaskState::REFUSED || task.state == TaskState::IDLE) continue;
+    // What is refused is told too, and an ABORT, which is obeyed whatever its text: of a long one the start alone is
+    // kept.
+    const bool begun = task.state != TaskState::REFUSED && task.state != TaskState::IDLE &&
+                       task.state != TaskState::STOPPED && task.state != TaskState::FAILED;
+    if (told == obeyed || !begun) continue;
     obeyed = told;
     double age = -1.0;  // s, the least; below 0: not heard
+    bool aborted = false;
     for (const auto& command : timeline.task_commands) {
       const TaskCommand& asked = command.message;
       const bool same = asked.session == told.first && asked.command_id == told.second;
-      if (!same || asked.kind == TaskCommand::ABORT || command.t > heard.t) continue;
+      if (!same || command.t > heard.t) continue;
+      aborted = aborted || asked.kind == TaskCommand::ABORT;
+      if (asked.kind == TaskCommand::ABORT) continue;
       const double apart = std::abs(seconds_between(asked.utime, task.utime));
       age = age < 0.0 ? apart : std::min(age, apart);
     }
-    if (age < 0.0) continue;
+    if (age < 0.0 && (aborted || timeline.loses_messages(heard.t) || timeline.flooded(heard.t))) continue;
     ++verdict.judged;
-    if (age <= bars.reset_age + bars.reset_slack) continue;
+    if (age >= 0.0 && age <= bars.reset_age + bars.task_slack) continue;
     note(verdict, heard.t,
-         text("a task was begun at %.2f s (world) by a TASK_COMMAND %.1f s from then", heard.world, age));
+         age < 0.0 ? text("a task was begun at %.2f s (world) by a TASK_COMMAND that nobody gave", heard.world)
+                   : text("a task was begun at %.2f s (world) by a TASK_COMMAND %.1f s from then", heard.world, age));
   }
 }
 
@@ -243,47 +268,20 @@ Verdict latched_is_still(const Timeline& timeline, const Bars& bars) {
   Verdict verdict;
   judge_arm_latches(timeline, bars, verdict);
   judge_base_latches(timeline, bars, verdict);
+  judge_stop_is_obeyed(timeline, "arm", bars, verdict);
+  judge_stop_is_obeyed(timeline, "base", bars, verdict);
   return verdict;
 }
 
 Verdict motion_has_a_goal(const Timeline& timeline, const Bars& bars) {
   Verdict verdict;
-  // The goal is obeyed while it is young enough, its last command a little longer, and then there is the braking.
   judge_tasks(timeline, bars, verdict);
-  judge_followed(timeline, timeline.servo_statuses, timeline.servo_goals, "visual-servo",
+  judge_followed(timeline, timeline.servo_statuses, timeline.servo_goals, "SERVO_GOAL", "visual-servo",
                  {ServoStatus::POSTURE, ServoStatus::SERVO}, bars, verdict);
-  judge_followed(timeline, timeline.base_statuses, timeline.base_goals, "base-navigator", {BaseStatus::DRIVING}, bars,
-                 verdict);
-  const double arm_allowed = bars.goal_age + bars.command_age + bars.arm_braking + bars.hearing;
-  const auto arm_goals = legal_goals(timeline, timeline.servo_goals, ServoGoal::HOLD, bars.goal_age);
-  for (const ArmStep& step : arm_steps(timeline)) {
-    if (step.speed <= bars.arm_moves_rad_s) continue;
-    ++verdict.judged;
-    const double goal = newest_goal(arm_goals, step.to->world);
-    if (goal >= 0.0 && step.from->world - goal <= arm_allowed) continue;
-    note(verdict, step.to->t,
-         text("the arm moves at %.3f rad/s at %.2f s (world); the newest legal SERVO_GOAL to move: %s", step.speed,
-              step.to->world, goal < 0.0 ? "none" : text("%.2f s", goal).c_str()));
-  }
-  const double base_allowed =
-      bars.goal_age + bars.command_age + bars.hearing + bars.base_settles + bars.base_cruise / bars.base_deceleration;
-  const auto base_goals = legal_goals(timeline, timeline.base_goals, BaseGoal::HOLD, bars.goal_age);
-  for (const BaseStep& step : base_steps(timeline)) {
-    if (step.speed <= bars.base_moves_m_s) continue;
-    ++verdict.judged;
-    const double goal = newest_goal(base_goals, step.to->world);
-    if (goal >= 0.0 && step.from->world - goal <= base_allowed) continue;
-    note(verdict, step.to->t,
-         text("the base moves at %.3f m/s at %.2f s (world); the newest legal BASE_GOAL to move: %s", step.speed,
-              step.to->world, goal < 0.0 ? "none" : text("%.2f s", goal).c_str()));
-  }
-  return verdict;
-}
-
-Verdict silence_is_rest(const Timeline& timeline, const Bars& bars) {
-  Verdict verdict;
-  judge_arm_silence(timeline, bars, verdict);
-  judge_base_silence(timeline, bars, verdict);
+  judge_followed(timeline, timeline.base_statuses, timeline.base_goals, "BASE_GOAL", "base-navigator",
+                 {BaseStatus::DRIVING}, bars, verdict);
+  judge_arm_motion(timeline, bars, verdict);
+  judge_base_motion(timeline, bars, verdict);
   return verdict;
 }
 

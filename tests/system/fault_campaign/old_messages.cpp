@@ -23,9 +23,13 @@ class OldMessages : public SpeakingFault {
                 plan().channel == "all" ? "all channels" : plan().channel.c_str(), plan().variant.c_str());
   }
   std::set<std::string> words() const override {
-    if (plan().channel != "all") return words_of_channel(plan().channel);
-    return {"STOP",         "stop",  "latched",      "JOINT_STATE", "STOP_STATE",
-            "TASK_COMMAND", "abort", "SERVO_STATUS", "restarted"};
+    std::set<std::string> words = words_of_channel(plan().channel);
+    // A person's few words are played whatever the channel, and all of them when it is all.
+    words.insert({"STOP", "TASK_COMMAND", "aborted by operator"});
+    if (plan().channel == "all")
+      words.insert({"JOINT_STATE", "STOP_STATE", "SERVO_STATUS", "BASE_STATUS", "STEREO_FRAME"});
+    if (plan().variant == "fresh") words.insert({"started: no task", "the arm restarted"});
+    return words;
   }
   void strike(Bench& bench) override {
     SpeakingFault::strike(bench);

@@ -14,12 +14,7 @@ namespace {
 class ProcessFault : public Fault {
  public:
   using Fault::Fault;
-  std::set<std::string> words() const override {
-    std::set<std::string> words = words_of_service(plan().service);
-    // Its place is taken by one that comes up stopped, or without a task.
-    words.insert({"restarted", "began anew", "latched"});
-    return words;
-  }
+  std::set<std::string> words() const override { return words_of_service(plan().service); }
   std::string evidence() const override { return evidence_; }
 
  protected:
@@ -101,11 +96,6 @@ class SecondProcess : public ProcessFault {
   using ProcessFault::ProcessFault;
   std::string describe() const override {
     return text("a second %s, started as a %s", service().c_str(), plan().variant.c_str());
-  }
-  std::set<std::string> words() const override {
-    auto words = ProcessFault::words();
-    words.insert("STOP");
-    return words;
   }
   void strike(Bench& bench) override {
     const std::string robot = bench.folders().repository + "/config/robot.yaml";

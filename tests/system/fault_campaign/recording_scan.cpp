@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <lcm/lcm-cpp.hpp>
 #include <set>
 #include <vector>
@@ -25,6 +26,23 @@ void scan_part(const std::string& path, std::set<std::int64_t>& moments, std::in
   }
 }
 
+// What the manifest says of the recording: {"gaps": [[from, to], ...] in us, "ended_by"}, or {"error"}.
+nlohmann::json scan_manifest(const std::string& path) {
+  const auto manifest = nlohmann::json::parse(std::ifstream(path), nullptr, false);
+  if (!manifest.is_object()) return {{"error", path + " cannot be read"}};
+  nlohmann::json gaps = nlohmann::json::array();
+  for (const auto& gap : manifest.value("gaps", nlohmann::json::array())) {
+    const auto moment = [&](const char* name) {
+      const auto found = gap.find(name);
+      return found != gap.end() && found->is_object() ? found->value("utime", std::int64_t{0}) : std::int64_t{0};
+    };
+    gaps.push_back({moment("from"), moment("to")});
+  }
+  const auto ended = manifest.find("ended_by");
+  const bool told = ended != manifest.end() && ended->is_string();
+  return {{"gaps", gaps}, {"ended_by", told ? ended->get<std::string>() : std::string()}};
+}
+
 }  // namespace
 
 nlohmann::json scan_recording(const std::string& folder) {
@@ -38,6 +56,7 @@ nlohmann::json scan_recording(const std::string& folder) {
   std::int64_t events = 0;
   for (const std::string& part : parts) scan_part(part, moments, events);
   nlohmann::json scan{{"parts", parts.size()}, {"events", events}, {"moments", moments}};
+  scan["manifest"] = scan_manifest(folder + "/manifest.json");
   if (parts.empty()) scan["error"] = "there is no log in " + folder;
   return scan;
 }

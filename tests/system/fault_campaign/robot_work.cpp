@@ -6,6 +6,7 @@
 #include <markservo/TaskCommand.hpp>
 
 #include "common/bus/session.hpp"
+#include "common/time/seconds_between.hpp"
 #include "tests/experiments/task_words.hpp"
 #include "tests/system/fault_campaign/message_craft.hpp"
 
@@ -16,6 +17,7 @@ constexpr double kRepeat_s = 0.3;
 constexpr double kPatience_s = 40.0;     // a slow machine needs 20 for the carry
 constexpr double kIdle_s = 1.5;          // released and doing nothing
 constexpr double kDriving = 0.1;         // m/s
+constexpr double kMoves = 0.01;          // rad, m: more than an arm and a base shake at rest
 constexpr std::size_t kStopDevices = 2;  // arm and base
 
 bool is_end(int state) {
@@ -118,6 +120,26 @@ bool RobotWork::bring_to(const std::string& phase) {
   }
   bench_.fact({{"kind", "phase"}, {"phase", phase}});
   return true;
+}
+
+void RobotWork::watch_for_standstill() {
+  seen_arm_ = bench_.truth();
+  seen_base_ = bench_.base_truth();
+  seen_state_ = bench_.task().state;
+}
+
+double RobotWork::stands_for() {
+  const SimTruth& arm = bench_.truth();
+  const SimBaseTruth& base = bench_.base_truth();
+  bool same = seen_state_ == bench_.task().state && base.session == seen_base_.session &&
+              base.utime >= seen_base_.utime && arm.shaft.size() == seen_arm_.shaft.size();
+  for (std::size_t i = 0; same && i < arm.shaft.size(); ++i) {
+    same = std::abs(arm.shaft[i] - seen_arm_.shaft[i]) <= kMoves;
+  }
+  same = same && std::hypot(base.pose.x - seen_base_.pose.x, base.pose.y - seen_base_.pose.y) <= kMoves &&
+         std::abs(base.pose.heading - seen_base_.pose.heading) <= kMoves;
+  if (!same) watch_for_standstill();
+  return seconds_between(seen_base_.utime, base.utime);
 }
 
 bool RobotWork::task_ended() const {

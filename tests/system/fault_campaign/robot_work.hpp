@@ -23,6 +23,11 @@ class RobotWork {
   // The task has come to an end by its own word, or there is none.
   bool task_ended() const;
 
+  // How long nothing of the arm, the base and the task's state has changed since the watch began: s of the world's
+  // time.
+  void watch_for_standstill();
+  double stands_for();
+
  private:
   bool release();
   bool start(bool drive, bool carry);
@@ -33,6 +38,9 @@ class RobotWork {
   std::int64_t session_;
   std::int64_t next_id_ = 1;
   bool started_ = false;
+  SimTruth seen_arm_{};
+  SimBaseTruth seen_base_{};
+  int seen_state_ = -1;
   std::string problem_;
 };
 

@@ -5,10 +5,12 @@
 
 #include "common/bus/safe_decode.hpp"
 #include "common/time/seconds_between.hpp"
+#include "tests/system/fault_campaign/message_leaves.hpp"
 
 namespace markservo::campaign {
 namespace {
 
+constexpr double kToldAgain_s = 0.3;
 constexpr double kLongestTick_s = 1.0;  // longer between two stamps: a clock was set, or the simulator was away
 
 template <class M>
@@ -27,10 +29,22 @@ std::int64_t end_of(const History& history) {
   return std::numeric_limits<std::int64_t>::max();
 }
 
+Traffic traffic_of(const Event& event) {
+  Traffic traffic{event.t, event.size, event.foreign, 0, 0};
+  if (!event.whole()) return traffic;
+  constexpr std::int64_t kFrame = 5;  // bytes around a text
+  for (const LeafSpan& leaf : leaf_spans(reflection::TypeCatalog::ours(), event.data)) {
+    if (leaf.kind != reflection::Kind::kString) continue;
+    traffic.texts += static_cast<std::int64_t>(leaf.size);
+    traffic.longest = std::max(traffic.longest, static_cast<std::int64_t>(leaf.size) - kFrame);
+  }
+  return traffic;
+}
+
 void decode_events(const History& history, std::int64_t end, Timeline& timeline) {
   for (const Event& event : history.events) {
     if (event.t > end) break;
-    timeline.traffic[event.channel].push_back({event.t, event.size, event.foreign});
+    timeline.traffic[event.channel].push_back(traffic_of(event));
     const std::string& channel = event.channel;
     if (channel == "SIM_TRUTH") decode(event, timeline.truth);
     if (channel == "SIM_BASE_TRUTH") decode(event, timeline.base_truth);
@@ -135,6 +149,8 @@ void WorldClock::heard(std::int64_t t, std::int64_t utime) {
   }
   const Tick& last = ticks_.back();
   double step = seconds_between(last.utime, utime);
+  // The last exposure is told again in answer to a SIM_CONTROL: nothing passed.
+  if (step < 0.0 && step > -kToldAgain_s) return;
   if (step < 0.0 || step > kLongestTick_s) step = std::clamp(seconds_between(last.t, t), 0.0, kLongestTick_s);
   ticks_.push_back({t, utime, last.seconds + step});
 }
@@ -159,6 +175,26 @@ std::int64_t Timeline::faults_gone() const {
     if (fault.struck_at > 0) last = std::max(last, fault.ended_at > 0 ? fault.ended_at : ended_at);
   }
   return last > 0 ? last : ended_at;
+}
+
+bool Timeline::loses_messages(std::int64_t t) const {
+  constexpr std::int64_t kJust_us = 2'000'000;
+  return std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) {
+    if (fault.words.count("network") == 0 || fault.struck_at == 0) return false;
+    return t >= fault.struck_at && (fault.ended_at == 0 || t <= fault.ended_at + kJust_us);
+  });
+}
+
+bool Timeline::flooded(std::int64_t t) const {
+  constexpr std::int64_t kBefore_us = 1'000'000;
+  constexpr std::int64_t kFlood = 500'000;  // bytes; a socket holds 4 MB, of which frames need most
+  std::int64_t bytes = 0;
+  for (const auto& [channel, events] : traffic) {
+    auto one = std::lower_bound(events.begin(), events.end(), t - kBefore_us,
+                                [](const Traffic& event, std::int64_t time) { return event.t < time; });
+    for (; one != events.end() && one->t <= t + kBefore_us / 2; ++one) bytes += one->foreign ? one->size : 0;
+  }
+  return bytes > kFlood;
 }
 
 bool Timeline::is(const std::string& service, std::int64_t session) const {

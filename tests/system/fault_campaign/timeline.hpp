@@ -60,6 +60,8 @@ struct Traffic {
   std::int64_t t = 0;
   std::int64_t size = 0;  // bytes
   bool foreign = false;
+  std::int64_t texts = 0;    // bytes of it that are texts; of a message that was cut, unknown: 0
+  std::int64_t longest = 0;  // bytes of its longest text
 };
 
 struct ProcessSample {
@@ -106,6 +108,10 @@ struct Timeline {
   std::int64_t first_strike() const;
   // When the last fault was gone; the trial's end where one never went.
   std::int64_t faults_gone() const;
+  // Whether messages may have been lost around `t`: a fault of the network strikes, or one just went.
+  bool loses_messages(std::int64_t t) const;
+  // Whether somebody flooded the bus in the second before `t`, so that sockets overflow.
+  bool flooded(std::int64_t t) const;
   bool is(const std::string& service, std::int64_t session) const;
   // The task's state at `t` by the stack's own word; -1 before the first.
   int task_state_at(std::int64_t t) const;

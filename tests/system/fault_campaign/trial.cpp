@@ -14,6 +14,8 @@ namespace {
 constexpr double kRecovery_s = 15.0;
 constexpr double kShortestRecovery_s = 5.0;  // counters, rates and sizes need so much to be judged
 constexpr double kReadyFor_s = 2.0;
+constexpr double kTaskPatience_s = 42.0;  // a little above the checker's, so that a task that never ends is seen
+constexpr double kTaskStands_s = 11.0;    // likewise, by the world's time
 
 }  // namespace
 
@@ -103,6 +105,14 @@ void Trial::recover() {
     return well && seconds_between(well_since, Bench::now()) > kReadyFor_s &&
            seconds_between(gone, Bench::now()) > kShortestRecovery_s;
   });
+  if (!work_.task_ended()) wait_for_the_task(gone);
+}
+
+// A task that is under way when the robot is well again is waited for: until it ends, or nothing of it goes on.
+void Trial::wait_for_the_task(std::int64_t gone) {
+  work_.watch_for_standstill();
+  bench_.listen(kTaskPatience_s - seconds_between(gone, Bench::now()),
+                [this] { return work_.task_ended() || work_.stands_for() > kTaskStands_s; });
 }
 
 void Trial::end_all() {
@@ -120,15 +130,40 @@ void Trial::end_all() {
   recording["kind"] = "recording";
   recording["ended"] = end;
   for (const Course& course : courses_) {
-    if (course.fault->ends_recording() && course.striking) recording["ended"] = std::min(end, course.strike_at);
+    if (!course.fault->ends_recording() || !course.striking) continue;
+    recording["ended"] = std::min(end, course.strike_at);
+    recording.erase("manifest");  // it is on the same disk
   }
   bench_.fact(recording);
+  print_recording();
   std::error_code error;
   const std::filesystem::path out(bench_.folders().out);
   for (const auto& entry : std::filesystem::directory_iterator(out / "services", error)) {
     if (entry.is_regular_file())
       std::filesystem::copy_file(entry.path(), out / "printed" / entry.path().filename(), error);
   }
+}
+
+// What the tools say of the recording, for what messages held goes through them to a terminal.
+void Trial::print_recording() {
+  const std::filesystem::path out(bench_.folders().out);
+  const std::string recording = out / "recording";
+  const std::string tool = bench_.folders().build + "/bin/log-tool";
+  std::error_code error;
+  std::filesystem::copy_file(out / "recording" / "manifest.json", out / "printed" / "manifest.json", error);
+  if (!std::filesystem::exists(tool)) return;
+  bench_.run("log-info", {tool, "info", recording}, 15.0);
+  bench_.run("log-info-json", {tool, "info", "--json", recording}, 15.0);
+  const std::string tables = out / "tables";
+  bench_.run("log-export",
+             {tool, "export", recording, tables, "--channel", "STOP|STOP_STATE|TASK_COMMAND|TASK_STATE|SERVICE_STATUS"},
+             15.0);
+  for (const auto& entry : std::filesystem::directory_iterator(tables, error)) {
+    if (entry.path().extension() == ".csv") {
+      std::filesystem::copy_file(entry.path(), out / "printed" / entry.path().filename(), error);
+    }
+  }
+  std::filesystem::remove_all(tables, error);
 }
 
 nlohmann::json Trial::report(bool phase_reached) const {

@@ -32,7 +32,9 @@ class Trial {
   void attend();
   void strike_all();
   void recover();
+  void wait_for_the_task(std::int64_t gone);
   void end_all();
+  void print_recording();
   nlohmann::json report(bool phase_reached) const;
 
   Plan plan_;

@@ -4,9 +4,7 @@
 #include <cmath>
 
 namespace markservo::campaign {
-namespace {
-
-const std::map<std::string, std::pair<int, std::int64_t>>& stack() {
+const std::map<std::string, std::pair<int, std::int64_t>>& forged_stack() {
   static const std::map<std::string, std::pair<int, std::int64_t>> all = {{"simulator", {11, kSimulator}},
                                                                           {"visual-servo", {12, kServo}},
                                                                           {"task-manager", {13, kTask}},
@@ -14,8 +12,6 @@ const std::map<std::string, std::pair<int, std::int64_t>>& stack() {
                                                                           {"mark-detector", {15, 105}}};
   return all;
 }
-
-}  // namespace
 
 Bars forged_bars() {
   Bars bars;
@@ -36,7 +32,7 @@ SimBody held_book(double height) {
 }
 
 ForgedHistory::ForgedHistory() {
-  for (const auto& [service, process_and_session] : stack()) {
+  for (const auto& [service, process_and_session] : forged_stack()) {
     process(0.0, 0.1, service, 'S');
     says(0.0, 0.1, service, "ready");
   }
@@ -72,12 +68,14 @@ ForgedHistory& ForgedHistory::arm_at(double t, double angle, const SimBody* body
   return add(t, "SIM_TRUTH", truth);
 }
 
-ForgedHistory& ForgedHistory::base_at(double t, double x, bool touched) {
+ForgedHistory& ForgedHistory::base_at(double t, double x, bool touched, double heading, double speed) {
   SimBaseTruth truth{};
   truth.utime = at(t);
   truth.session = kSimulator;
   truth.seq = ++seq_;
   truth.pose.x = x;
+  truth.pose.heading = heading;
+  truth.speed = speed;
   truth.touched = touched ? 1 : 0;
   return add(t, "SIM_BASE_TRUTH", truth);
 }
@@ -117,28 +115,47 @@ ForgedHistory& ForgedHistory::base_goals(double from, double to) {
   return *this;
 }
 
-ForgedHistory& ForgedHistory::joint_commands(double from, double to, double position, double speed) {
+ForgedHistory& ForgedHistory::joint_commands(double from, double to, double position, double speed,
+                                             const CommandWriter& writer) {
   for (double t = from; t < to; t += 1.0 / 15.0) {
     JointCommand command{};
-    command.utime = command.frame_utime = at(t);
-    command.session = kServo;
+    command.utime = command.frame_utime = at(t - writer.age);
+    command.session = writer.session;
     command.seq = ++seq_;
+    command.frame_session = kSimulator;
+    command.frame_seq = seq_;
+    command.joint_session = writer.made_for;
+    command.gripper_opening = 0.03;
+    command.gripper_force = 10.0;
     command.num_joints = 3;
     command.position = {position, position, position};
     command.speed_limit = {speed, speed, speed};
-    add(t, "JOINT_COMMAND", command);
+    add(t, "JOINT_COMMAND", command, writer.session == kStranger || writer.foreign);
   }
   return *this;
 }
 
-ForgedHistory& ForgedHistory::base_commands(double from, double to, double speed) {
+ForgedHistory& ForgedHistory::joint_commands_again(double later) {
+  const std::vector<Event> said = history_.events;
+  for (Event event : said) {
+    if (event.channel != "JOINT_COMMAND") continue;
+    event.t += static_cast<std::int64_t>(later * 1e6);
+    event.foreign = true;
+    history_.events.push_back(std::move(event));
+  }
+  return *this;
+}
+
+ForgedHistory& ForgedHistory::base_commands(double from, double to, double speed, const CommandWriter& writer) {
   for (double t = from; t < to; t += 0.02) {
     BaseCommand command{};
-    command.utime = at(t);
-    command.session = kNavigator;
+    command.utime = at(t - writer.age);
+    command.session = writer.session == kServo ? kNavigator : writer.session;
     command.seq = ++seq_;
+    command.odometry_session = writer.made_for;
+    command.odometry_seq = seq_;
     command.speed = speed;
-    add(t, "BASE_COMMAND", command);
+    add(t, "BASE_COMMAND", command, writer.session == kStranger || writer.foreign);
   }
   return *this;
 }
@@ -153,6 +170,15 @@ ForgedHistory& ForgedHistory::stop_state(double t, const std::string& device, bo
   state.request_session = request == 0 ? 0 : kStranger;
   state.request_id = request;
   return add(t, "STOP_STATE", state);
+}
+
+ForgedHistory& ForgedHistory::stop(double t, std::int64_t id) {
+  StopRequest request{};
+  request.utime = at(t);
+  request.session = kStranger;
+  request.request_id = id;
+  request.kind = StopRequest::STOP;
+  return add(t, "STOP", request, true);
 }
 
 ForgedHistory& ForgedHistory::reset(double t, std::int64_t id, double stamped) {
@@ -187,7 +213,7 @@ ForgedHistory& ForgedHistory::task_state(double t, int state, const std::string&
 
 ForgedHistory& ForgedHistory::says(double from, double to, const std::string& service, const std::string& state,
                                    const std::string& channel, int received) {
-  const auto& [pid, session] = stack().at(service);
+  const auto& [pid, session] = forged_stack().at(service);
   for (double t = from; t < to; t += 1.0) {
     ServiceStatus status{};
     status.utime = at(t);
@@ -216,56 +242,6 @@ ForgedHistory& ForgedHistory::messages(double from, double to, const std::string
     event.size = size;
     history_.events.push_back(event);
   }
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::process(double from, double to, const std::string& service, char state, double rss_mb) {
-  for (double t = from; t < to; t += 0.5) {
-    history_.facts.push_back({{"t", at(t)},
-                              {"kind", "process"},
-                              {"service", service},
-                              {"pid", stack().at(service).first},
-                              {"state", std::string(1, state)},
-                              {"rss_mb", rss_mb}});
-  }
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::fault(double struck, double ended, std::set<std::string> words) {
-  history_.facts.push_back({{"t", at(0.0)},
-                            {"kind", "fault"},
-                            {"what", "planned"},
-                            {"index", faults_},
-                            {"describe", "forged"},
-                            {"words", words}});
-  history_.facts.push_back({{"t", at(struck)}, {"kind", "fault"}, {"what", "strike"}, {"index", faults_}});
-  history_.facts.push_back({{"t", at(ended)}, {"kind", "fault"}, {"what", "end"}, {"index", faults_}});
-  ++faults_;
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::ended(double t) {
-  history_.facts.push_back({{"t", at(t)}, {"kind", "end"}});
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::start(double t) {
-  history_.facts.push_back({{"t", at(t)}, {"kind", "start"}, {"target", "red_book"}});
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::recorded(const std::vector<std::pair<double, double>>& spans, double until) {
-  std::vector<std::int64_t> moments;
-  for (const auto& [from, to] : spans) {
-    for (double t = from; t < to; t += 0.1) moments.push_back(at(t));
-  }
-  history_.facts.push_back(
-      {{"t", at(until)}, {"kind", "recording"}, {"began", at(0.0)}, {"ended", at(until)}, {"moments", moments}});
-  return *this;
-}
-
-ForgedHistory& ForgedHistory::printed(const std::string& name, const std::string& text) {
-  history_.printed[name] = text;
   return *this;
 }
 

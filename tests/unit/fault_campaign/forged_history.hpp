@@ -25,8 +25,18 @@ inline std::int64_t at(double seconds) {
   return kBegin + static_cast<std::int64_t>(seconds * 1e6);
 }
 
+// Process and session of each service of the stack.
+const std::map<std::string, std::pair<int, std::int64_t>>& forged_stack();
 // Limits as of a robot whose joints turn a quarter of a turn each way, at 5 rad/s.
 Bars forged_bars();
+
+// Who commands: visual-servo, or base-navigator, unless it says otherwise.
+struct CommandWriter {
+  std::int64_t session = kServo;
+  std::int64_t made_for = kSimulator;  // the mover whose measurements it answers
+  double age = 0.0;                    // s, of these
+  bool foreign = false;                // the trial itself speaks, whatever the session
+};
 
 class ForgedHistory {
  public:
@@ -47,14 +57,18 @@ class ForgedHistory {
   }
   ForgedHistory& arm_at(double t, double angle, const SimBody* body = nullptr, double opening = 0.03,
                         const std::string& touched = {});
-  ForgedHistory& base_at(double t, double x, bool touched = false);
+  ForgedHistory& base_at(double t, double x, bool touched = false, double heading = 0.0, double speed = 0.0);
 
   ForgedHistory& servo_goals(double from, double to, std::int64_t session = kTask, double stamp_off = 0.0);
   ForgedHistory& follows(double t, std::int64_t session);
   ForgedHistory& base_goals(double from, double to);
-  ForgedHistory& joint_commands(double from, double to, double position = 0.0, double speed = 1.0);
-  ForgedHistory& base_commands(double from, double to, double speed = 0.0);
+  ForgedHistory& joint_commands(double from, double to, double position = 0.0, double speed = 1.0,
+                                const CommandWriter& writer = {});
+  // What was said on JOINT_COMMAND so far comes once more, so many s later.
+  ForgedHistory& joint_commands_again(double later);
+  ForgedHistory& base_commands(double from, double to, double speed = 0.0, const CommandWriter& writer = {});
   ForgedHistory& stop_state(double t, const std::string& device, bool latched, std::int64_t request = 0);
+  ForgedHistory& stop(double t, std::int64_t id);
   ForgedHistory& reset(double t, std::int64_t id, double stamped);
   ForgedHistory& task_state(double t, int state, const std::string& reason = {}, std::int64_t command = 0);
   ForgedHistory& start_command(double t, std::int64_t id, double stamped);
@@ -66,7 +80,10 @@ class ForgedHistory {
   ForgedHistory& fault(double struck, double ended, std::set<std::string> words);
   ForgedHistory& start(double t);
   ForgedHistory& ended(double t);
-  ForgedHistory& recorded(const std::vector<std::pair<double, double>>& spans, double until);
+  // `gaps`: what its manifest tells as missed.
+  ForgedHistory& recorded(const std::vector<std::pair<double, double>>& spans, double until,
+                          const std::vector<std::pair<double, double>>& gaps = {},
+                          const std::string& ended_by = "told to");
   ForgedHistory& printed(const std::string& name, const std::string& text);
 
   // In the order of time.

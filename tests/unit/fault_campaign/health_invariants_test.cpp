@@ -95,5 +95,53 @@ TEST(RecoversUnaided, BreaksWhenMessagesStayMany) {
   EXPECT_TRUE(recovers_unaided(forged.timeline(), forged_bars()).broken());
 }
 
+TEST(RecoversUnaided, BreaksForAnEighthMoreOnAllChannels) {
+  ForgedHistory forged = struck_stack("ready");
+  forged.messages(0.0, 8.0, "WHEEL_ODOMETRY", 50.0, 56).messages(8.0, 28.0, "WHEEL_ODOMETRY", 50.0, 66);
+  EXPECT_TRUE(recovers_unaided(forged.timeline(), forged_bars()).broken());
+  ForgedHistory healthy = struck_stack("ready");
+  healthy.messages(0.0, 8.0, "WHEEL_ODOMETRY", 50.0, 56).messages(8.0, 28.0, "WHEEL_ODOMETRY", 52.0, 57);
+  EXPECT_FALSE(recovers_unaided(healthy.timeline(), forged_bars()).broken());
+}
+
+TEST(RecoversUnaided, BreaksWhenTheStackAsksForEver) {
+  ForgedHistory forged = struck_stack("ready");
+  forged.messages(9.0, 28.0, "STOP", 5.0, 80);
+  EXPECT_TRUE(recovers_unaided(forged.timeline(), forged_bars()).broken());
+  ForgedHistory once = struck_stack("ready");
+  once.messages(9.0, 11.5, "STOP", 5.0, 80);
+  EXPECT_FALSE(recovers_unaided(once.timeline(), forged_bars()).broken());
+}
+
+TEST(RecoversUnaided, BreaksForAServiceThatIsReadyNowAndThen) {
+  ForgedHistory forged = struck_stack("waiting");
+  for (double t = 10.3; t < 28.0; t += 1.0) forged.says(t, t + 0.1, "visual-servo", "ready");
+  EXPECT_TRUE(recovers_unaided(forged.timeline(), forged_bars()).broken());
+  ForgedHistory mostly = struck_stack("ready");
+  mostly.says(24.0, 24.1, "visual-servo", "stale").says(24.2, 24.3, "visual-servo", "ready");
+  EXPECT_FALSE(recovers_unaided(mostly.timeline(), forged_bars()).broken());
+}
+
+TEST(RecoversUnaided, BreaksForALongText) {
+  ForgedHistory forged = struck_stack("ready");
+  forged.task_state(15.0, TaskState::IDLE, std::string(201, 'x'));
+  EXPECT_TRUE(recovers_unaided(forged.timeline(), forged_bars()).broken());
+  ForgedHistory bounded = struck_stack("ready");
+  bounded.task_state(15.0, TaskState::IDLE, std::string(200, 'x'));
+  EXPECT_FALSE(recovers_unaided(bounded.timeline(), forged_bars()).broken());
+}
+
+TEST(DeafOrMuteIsNotReady, KnowsAllThatAServiceNeeds) {
+  ForgedHistory forged;
+  forged.still(0.0, 20.0).says(1.0, 20.0, "visual-servo", "ready", "SERVO_GOAL", 5);
+  std::string evidence;
+  for (const Breach& breach : deaf_or_mute_is_not_ready(forged.timeline(), forged_bars()).breaches) {
+    evidence += breach.evidence + "\n";
+  }
+  for (const char* channel : {"TARGET_POSE", "JOINT_STATE", "STOP_STATE"}) {
+    EXPECT_NE(evidence.find(channel), std::string::npos) << channel;
+  }
+}
+
 }  // namespace
 }  // namespace markservo::campaign

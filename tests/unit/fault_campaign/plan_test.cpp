@@ -109,5 +109,14 @@ TEST(Results, ASeedThatStruckNothingProvesNothing) {
   EXPECT_FALSE(bars_met(campaign_of("abc", {result_of(nothing, {})}), 2));
 }
 
+TEST(Results, ABreachOfWhatMayNeverBreakCountsInADrawThatProvedNothing) {
+  auto unreached = trial(1);
+  unreached["phase_reached"] = false;
+  EXPECT_TRUE(breaks_what_may_never_break(result_of(unreached, {{"I4", broken_verdict()}})));
+  EXPECT_FALSE(breaks_what_may_never_break(result_of(unreached, {{"I7", broken_verdict()}})));
+  EXPECT_FALSE(breaks_what_may_never_break(result_of(unreached, {})));
+  EXPECT_NE(line_of(result_of(unreached, {{"I4", broken_verdict()}})).find("I4"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace markservo::campaign

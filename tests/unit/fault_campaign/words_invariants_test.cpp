@@ -41,15 +41,51 @@ TEST(TasksEndWithTheReason, BreaksWhenTheTaskIsGoneWithoutAReason) {
   EXPECT_TRUE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
 }
 
+TEST(TasksEndWithTheReason, TakesNoPartOfANameForAName) {
+  ForgedHistory forged;
+  forged.still(0.0, 20.0).start(1.0).task_state(2.0, TaskState::SERVO).fault(5.0, 7.0, {"STOP"});
+  forged.task_state(8.0, TaskState::STOPPED, "stop: no STOP_STATE of arm");
+  EXPECT_TRUE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(TasksEndWithTheReason, BreaksForATaskThatStands) {
+  // The recovery's 15 s are too short for the patience of 40 s: that nothing changes for 10 s tells it.
+  ForgedHistory forged = struck_task();
+  forged.task_state(8.0, TaskState::SERVO);
+  EXPECT_TRUE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(TasksEndWithTheReason, WaitsForATaskThatMoves) {
+  ForgedHistory forged;
+  forged.world(
+      0.0, 20.0, [](double t) { return 0.01 * t; }, [](double) { return 0.0; });
+  forged.start(1.0)
+      .task_state(2.0, TaskState::SERVO)
+      .fault(5.0, 7.0, {"TARGET_POSE"})
+      .task_state(8.0, TaskState::SERVO);
+  EXPECT_FALSE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(TasksEndWithTheReason, AsksWhatStoppedATaskThatHadEnded) {
+  ForgedHistory kept;
+  kept.still(0.0, 20.0).start(1.0).task_state(2.0, TaskState::HOLD_LIFTED).fault(5.0, 7.0, {"TARGET_POSE"});
+  kept.task_state(8.0, TaskState::HOLD_LIFTED);
+  EXPECT_FALSE(tasks_end_with_the_reason(kept.timeline(), forged_bars()).broken());
+  ForgedHistory stopped;
+  stopped.still(0.0, 20.0).start(1.0).task_state(2.0, TaskState::HOLD_LIFTED).fault(5.0, 7.0, {"TARGET_POSE"});
+  stopped.task_state(8.0, TaskState::STOPPED, "it fell");
+  EXPECT_TRUE(tasks_end_with_the_reason(stopped.timeline(), forged_bars()).broken());
+}
+
 TEST(TasksEndWithTheReason, BreaksWhenNothingIsToldAnyMore) {
   EXPECT_TRUE(tasks_end_with_the_reason(struck_task().timeline(), forged_bars()).broken());
 }
 
 TEST(RecordingGoesOn, HoldsForARecordingWithAPauseForTheNextPart) {
   ForgedHistory forged;
-  forged.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 8.0}, {11.0, 20.0}}, 20.0);
+  forged.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 8.0}, {11.0, 20.0}}, 20.0, {{7.6, 11.0}});
   const Verdict verdict = recording_goes_on(forged.timeline(), forged_bars());
-  EXPECT_EQ(verdict.judged, 1);
+  EXPECT_EQ(verdict.judged, 2);
   EXPECT_FALSE(verdict.broken());
 }
 
@@ -69,6 +105,21 @@ TEST(RecordingGoesOn, MissesNothingWhereNothingWasSaid) {
   ForgedHistory forged;
   forged.still(0.0, 8.0).still(16.0, 20.0).fault(8.0, 15.0, {}).recorded({{0.0, 8.0}, {16.0, 20.0}}, 20.0);
   EXPECT_FALSE(recording_goes_on(forged.timeline(), forged_bars()).broken());
+}
+
+TEST(RecordingGoesOn, BreaksWhenTheManifestDoesNotTellWhatWasMissed) {
+  ForgedHistory untold;
+  untold.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 8.0}, {11.0, 20.0}}, 20.0);
+  EXPECT_TRUE(recording_goes_on(untold.timeline(), forged_bars()).broken());
+  ForgedHistory untrue;
+  untrue.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 20.0}}, 20.0, {{8.0, 12.0}});
+  EXPECT_TRUE(recording_goes_on(untrue.timeline(), forged_bars()).broken());
+}
+
+TEST(RecordingGoesOn, BreaksWhenTheManifestSaysThatItEndedByItself) {
+  ForgedHistory forged;
+  forged.still(0.0, 20.0).fault(8.0, 9.0, {}).recorded({{0.0, 20.0}}, 20.0, {}, "logger failed");
+  EXPECT_TRUE(recording_goes_on(forged.timeline(), forged_bars()).broken());
 }
 
 TEST(WordsAreClean, HoldsForOrdinaryText) {
