@@ -99,7 +99,9 @@ std::vector<std::string> obstacles(const Report& report, const RoomWish& wish) {
   const auto channels_by_writer = writers_in_the_way(report, wish);
   std::vector<std::string> lines;
   for (const auto& [writer, names] : channels_by_writer) {
-    lines.push_back(reflection::printable(writer + " writes " + names));
+    std::string line = writer;
+    line.append(" writes ").append(names);
+    lines.push_back(reflection::printable(line));
   }
   for (const ServiceReport& service : report.services) {
     const ServiceWord& word = service.newest;
