@@ -20,18 +20,24 @@ Heard SoleWriter::hear(const Stamp& stamp, std::int64_t now) {
   if (arrival == Arrival::kLate) return Heard::kLate;
   heard_at_ = now;
   if (arrival == Arrival::kDouble) {
-    other_ = Other{stamp.session, stamp.utime, now};
+    other_ = Other{stamp.session, stamp.utime, now, true};
     return Heard::kSecond;
   }
   // What was under way when another took over may arrive after the other's first word.
-  if (other_ && stamp.utime > other_->first_utime) return Heard::kSecond;
+  if (other_ && stamp.utime > other_->first_utime) {
+    const bool over = other_->told && alone(now);
+    other_->told = true;
+    if (!over) return Heard::kSecond;
+    other_.reset();
+    return Heard::kAnew;
+  }
   return arrival == Arrival::kAnew ? Heard::kAnew : Heard::kTaken;
 }
 
 Heard SoleWriter::hear_another(const Stamp& stamp, std::int64_t now) {
   heard_at_ = std::min(heard_at_, now);  // a clock that went back tells nothing of how long the floor was free
   if (seconds_between(heard_at_, now) <= parameters_.floor) {
-    if (!other_ || other_->session != stamp.session) other_ = Other{stamp.session, stamp.utime, now};
+    if (!other_ || other_->session != stamp.session) other_ = Other{stamp.session, stamp.utime, now, false};
     other_->heard_at = now;
     return Heard::kWaits;
   }

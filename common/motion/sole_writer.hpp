@@ -1,7 +1,8 @@
 #pragma once
 
 // A channel that one may write. Who writes keeps the floor while it speaks; another one is heard when the floor has
-// been free for a while, as after a restart. When the first speaks again after another did, two write.
+// been free for a while, as after a restart. When the first speaks again after another did, two write, until one writes
+// alone again: then it is heard, and whether anything may move by it is for its reader's ConflictGuard to say.
 
 #include <cstdint>
 #include <optional>
@@ -23,7 +24,7 @@ struct WriterParameters {
 
 enum class Heard {
   kTaken,   // in its turn
-  kAnew,    // of a writer that took the floor from another, or began anew: what is known of before no longer holds
+  kAnew,    // of a writer that took the floor, has it alone again, or began anew: what is known of before does not hold
   kLate,    // comes late, twice or out of turn: to be dropped
   kWaits,   // of another than who has the floor: to be dropped
   kSecond,  // of who has the floor, after another spoke: two write
@@ -55,6 +56,7 @@ class SoleWriter {
     std::int64_t session = 0;
     std::int64_t first_utime = 0;
     std::int64_t heard_at = 0;  // us, of now
+    bool told = false;          // that two write
   };
 
   Heard hear_another(const Stamp& stamp, std::int64_t now);

@@ -71,6 +71,17 @@ TEST_F(Writers, TwoWithOneSessionAreTwo) {
   EXPECT_EQ(writer_.words(), "two write TARGET_POSE with one session: 11");
 }
 
+TEST_F(Writers, WhoWritesAloneAgainIsHeardAgain) {
+  one_.speak(writer_, 0.0);
+  other_.speak(writer_, 0.05);
+  EXPECT_EQ(one_.speak(writer_, 0.1), Heard::kSecond);
+  EXPECT_EQ(one_.speak(writer_, 1.0), Heard::kSecond);
+  EXPECT_EQ(one_.speak(writer_, 1.1), Heard::kAnew);
+  EXPECT_EQ(one_.speak(writer_, 1.2), Heard::kTaken);
+  other_.speak(writer_, 1.25);
+  EXPECT_EQ(one_.speak(writer_, 1.3), Heard::kSecond) << "and two are two again";
+}
+
 TEST_F(Writers, OnceSettledTheWriterIsHeardAgain) {
   one_.speak(writer_, 0.0);
   other_.speak(writer_, 0.05);
