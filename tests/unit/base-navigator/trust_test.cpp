@@ -77,6 +77,10 @@ TEST_F(UnderWay, FollowsANewWritersGoalAfterTheClockWentBack) {
   Goal goal = Rig::goal_at({8.0, 0.0, 0.0});
   goal.session = 6;
   rig_.tell(goal);
+  rig_.run(1.0);
+  EXPECT_EQ(rig_.last.status.state, DriveState::kHold) << "it came while the former sender's word was young";
+  goal.id = 2;
+  rig_.tell(goal);
   expect_driving_again();
   EXPECT_EQ(rig_.last.status.goal_session, 6);
 }
