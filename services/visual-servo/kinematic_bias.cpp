@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kMoving = 0.02;  // rad/s; slower is rounding
 
+double squared(double sigma) {
+  return sigma * sigma;
+}
+
 using Observation = Eigen::Matrix<double, 3, 8>;
 
 // How the hand's mark moves at joint speeds `speed` (rad/s), m/s.
@@ -35,25 +39,36 @@ Observation observation(const robot::ArmDescription& arm, const robot::JointVect
 
 }  // namespace
 
+void KinematicBias::begin(const KinematicBiasParameters& parameters) {
+  begun_ = true;
+  state_.setZero();
+  covariance_.setZero();
+  covariance_.diagonal() << Eigen::Vector3d::Constant(squared(parameters.offset_sigma)),
+      Eigen::Vector2d::Constant(squared(parameters.link_sigma)), squared(parameters.play_sigma),
+      squared(parameters.lag_sigma), squared(parameters.run_up_sigma);
+}
+
 void KinematicBias::see(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
                         const robot::JointVector& q_exposure, const robot::JointVector& speed,
                         const Eigen::Vector3d& p_CM) {
-  const auto squared = [](double sigma) { return sigma * sigma; };
-  if (!begun_) {
-    begun_ = true;
-    covariance_.diagonal() << Eigen::Vector3d::Constant(squared(parameters.offset_sigma)),
-        Eigen::Vector2d::Constant(squared(parameters.link_sigma)), squared(parameters.play_sigma),
-        squared(parameters.lag_sigma), squared(parameters.run_up_sigma);
-  }
+  if (!begun_) begin(parameters);
   for (int i = 0; i < robot::kNumJoints; ++i) {
     if (std::abs(speed[i]) > kMoving) directions_[i] = speed[i] > 0.0 ? 1.0 : -1.0;
   }
   covariance_.diagonal().head<3>().array() += squared(parameters.offset_drift);
   const Observation h = observation(arm, q_exposure, directions_, speed);
   const double variance = squared(parameters.sight_sigma) + squared(parameters.clock_sigma * h.col(6).norm());
-  const Eigen::Matrix3d expected = h * covariance_ * h.transpose() + variance * Eigen::Matrix3d::Identity();
-  const Eigen::Matrix<double, kStates, 3> gain = covariance_ * h.transpose() * expected.inverse();
-  state_ += gain * (kinematic_bias(arm, q_exposure, p_CM) - h * state_);
+  const auto expected = [&]() -> Eigen::Matrix3d {
+    return h * covariance_ * h.transpose() + variance * Eigen::Matrix3d::Identity();
+  };
+  const Eigen::Vector3d seen = kinematic_bias(arm, q_exposure, p_CM);
+  const Eigen::Vector3d surprise = seen - h * state_;
+  if (surprise.norm() > parameters.surprise &&
+      surprise.dot(expected().inverse() * surprise) > squared(parameters.surprise_sigmas)) {
+    begin(parameters);
+  }
+  const Eigen::Matrix<double, kStates, 3> gain = covariance_ * h.transpose() * expected().inverse();
+  state_ += gain * (seen - h * state_);
   const Covariance updated = (Covariance::Identity() - gain * h) * covariance_;
   covariance_ = 0.5 * (updated + updated.transpose());
 }

@@ -21,6 +21,10 @@ struct KinematicBiasParameters {
   double lag_sigma = 0.010;       // s, a priori: by how much shafts trail behind the joints' word, as speed grows
   double run_up_sigma = 0.010;  // s^2/rad, a priori: 1 / (2 a) of motors that brake and gather speed at a = 50 rad/s^2
   double clock_sigma = 0.001;   // s between a picture and its joint states: a moving hand tells less
+  // A frame that contradicts what was learned by so much in m and in sigmas: a joint's word was wrong before or is now,
+  // and what was learned by it is forgotten.
+  double surprise = 0.005;
+  double surprise_sigmas = 7.0;
 };
 
 class KinematicBias {
@@ -39,6 +43,8 @@ class KinematicBias {
   const robot::JointVector& directions() const { return directions_; }
 
  private:
+  void begin(const KinematicBiasParameters& parameters);
+
   static constexpr int kStates = 8;
   using States = Eigen::Matrix<double, kStates, 1>;
   using Covariance = Eigen::Matrix<double, kStates, kStates>;

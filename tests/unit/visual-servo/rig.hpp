@@ -58,7 +58,10 @@ class Rig : public testing::Test {
   // One frame; the arm obeys.
   Output frame() {
     const PoseSample pose = arm_.expose();
-    for (const auto& sample : arm_.take_joint_states()) machine_.observe(sample, state_);
+    for (JointSample sample : arm_.take_joint_states()) {
+      if (frozen_joint_ >= 0) sample.position[frozen_joint_] = frozen_at_;
+      machine_.observe(sample, state_);
+    }
     if (sender_lives_ && state_.goal) repeat_goal(pose.utime);
     last_pose_ = pose;
     Output output = machine_.step(pose, state_);
@@ -90,6 +93,8 @@ class Rig : public testing::Test {
   JointVector start_ = robot::inverse_kinematics(*robot_.arm, goal_point_ - Eigen::Vector3d(0.0, 0.12, 0.0), 0.0).q;
   ArmSimulator arm_{robot_, SimulatorSettings(), 3};
   PoseSample last_pose_;
+  int frozen_joint_ = -1;  // its sensor lies: JOINT_STATE tells frozen_at_ (rad) of it; -1: none
+  double frozen_at_ = 0.0;
   bool sender_lives_ = true;  // the goal is repeated with every frame
 };
 

@@ -1,0 +1,39 @@
+// A joint whose word freezes for a while, as its time runs on, and then is true again.
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "tests/unit/visual-servo/rig.hpp"
+
+namespace markservo::visual_servo::test {
+namespace {
+
+class FrozenJoint : public Rig, public testing::WithParamInterface<std::tuple<int, int>> {};
+
+TEST_P(FrozenJoint, WhatItTaughtDoesNotLeadTheHandAside) {
+  const auto [joint, after] = GetParam();
+  frame();
+  machine_.observe(servo_goal(), state_);
+  frames(after);
+  frozen_joint_ = joint;
+  frozen_at_ = state_.joints.newest().position[joint];
+  frames(20);
+  frozen_joint_ = -1;
+  double aside = 0.0;  // m
+  double deep = 0.0;   // m
+  for (int i = 0; i < 150; ++i) {
+    frame();
+    aside = std::max(aside, std::abs(arm_.grip_point().x() - goal_point_.x()));
+    deep = std::max(deep, arm_.grip_point().y() - goal_point_.y());
+  }
+  EXPECT_LT(aside, 0.008) << "what stands beside is 10 mm from the fingers";
+  EXPECT_LT(deep, 0.010);
+  EXPECT_EQ(frame().status.state, ServoState::kConverged);
+}
+
+INSTANTIATE_TEST_SUITE_P(EachJointAtEachStage, FrozenJoint,
+                         testing::Combine(testing::Range(0, robot::kNumJoints), testing::Range(1, 20, 2)));
+
+}  // namespace
+}  // namespace markservo::visual_servo::test
