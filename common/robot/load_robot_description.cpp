@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -9,6 +10,8 @@
 
 namespace markservo::robot {
 namespace {
+
+constexpr std::array<const char*, kNumJoints> kJointNames = {"yaw", "shoulder", "elbow"};
 
 using geometry::radians;
 
@@ -66,8 +69,12 @@ ArmDescription load_arm(YamlSection section) {
   if (joints.size() != kNumJoints) {
     section.fail("joints", "a list of " + std::to_string(joints.size()), "3 joints: yaw, shoulder, elbow");
   }
-  for (int i = 0; i < kNumJoints; ++i)
-    arm.joints[static_cast<std::size_t>(i)] = load_joint(joints[static_cast<std::size_t>(i)]);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    arm.joints[i] = load_joint(joints[i]);
+    if (arm.joints[i].name != kJointNames[i]) {
+      joints[i].fail("name", "'" + arm.joints[i].name + "'", std::string(kJointNames[i]) + ", the joint in this place");
+    }
+  }
   const Eigen::Vector3d home_deg = section.numbers("home_deg", kNumJoints, Allowed::between(-360.0, 360.0));
   for (int i = 0; i < kNumJoints; ++i) {
     const JointDescription& joint = arm.joints[static_cast<std::size_t>(i)];

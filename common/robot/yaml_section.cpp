@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -24,6 +25,55 @@ std::string node_text(const YAML::Node& node) {
   return "nothing";
 }
 
+// Of one key written twice yaml-cpp gives the first and says nothing; the second is where the change was made.
+class RepeatedKeys {
+ public:
+  explicit RepeatedKeys(std::string path) : path_(std::move(path)) {}
+
+  // Throws ConfigurationError for a key twice in `node` or below it.
+  void refuse(const std::string& prefix, const YAML::Node& node) {
+    if (++seen_ > kMostValues) {
+      throw ConfigurationError(path_ + ": holds more than " + std::to_string(kMostValues) + " values; allowed: fewer");
+    }
+    if (node.IsSequence()) {
+      std::size_t number = 0;
+      for (const auto& item : node) refuse(prefix + "[" + std::to_string(number++) + "]", item);
+    }
+    if (node.IsMap()) refuse_in_map(prefix, node);
+  }
+
+ private:
+  // An alias of an alias of an alias is a short file and a long walk.
+  static constexpr int kMostValues = 1'000'000;
+
+  void refuse_in_map(const std::string& prefix, const YAML::Node& map) {
+    std::map<std::string, int> lines;
+    for (const auto& pair : map) {
+      if (!pair.first.IsScalar()) continue;  // no key of ours: refused where it stands
+      const std::string key = (prefix.empty() ? "" : prefix + ".") + pair.first.Scalar();
+      const int line = pair.first.Mark().line + 1;
+      const auto [first, fresh] = lines.emplace(key, line);
+      if (!fresh) {
+        throw ConfigurationError(path_ + ": key '" + text::printable(key) + "' stands twice, on lines " +
+                                 std::to_string(first->second) + " and " + std::to_string(line) + "; allowed: once");
+      }
+      refuse(key, pair.second);
+    }
+  }
+
+  std::string path_;
+  int seen_ = 0;
+};
+
+// A whole number as people write it: in YAML 1.1 0640 is 416.
+bool is_decimal(const std::string& text) {
+  const std::size_t first = text.find_first_not_of("+-");
+  if (first == std::string::npos || first > 1) return false;
+  const std::string digits = text.substr(first);
+  if (digits.find_first_not_of("0123456789") != std::string::npos) return false;
+  return digits.size() == 1 || digits.front() != '0';
+}
+
 }  // namespace
 
 Allowed Allowed::any() {
@@ -43,16 +93,22 @@ YamlSection::YamlSection(std::string path, std::string prefix, const YAML::Node&
     : path_(std::move(path)), prefix_(std::move(prefix)), node_(node) {}
 
 YamlSection YamlSection::load(const std::string& path) {
-  YAML::Node root;
+  std::vector<YAML::Node> documents;
   try {
-    root = YAML::LoadFile(path);
+    documents = YAML::LoadAllFromFile(path);
   } catch (const YAML::BadFile&) {
     throw ConfigurationError(path + ": cannot be opened; allowed: a readable YAML file");
   } catch (const YAML::Exception& error) {
     throw ConfigurationError(path + ": line " + std::to_string(error.mark.line + 1) + ": " + error.msg +
                              "; allowed: well-formed YAML");
   }
+  if (documents.size() > 1) {
+    throw ConfigurationError(path + ": holds " + std::to_string(documents.size()) +
+                             " YAML documents; allowed: one, without a line '---' in it");
+  }
+  const YAML::Node root = documents.empty() ? YAML::Node() : documents.front();
   if (!root.IsMap()) throw ConfigurationError(path + ": is " + node_text(root) + "; allowed: sections with keys");
+  RepeatedKeys(path).refuse("", root);
   return {path, "", root};
 }
 
@@ -96,6 +152,7 @@ int YamlSection::integer(const std::string& key, int min, int max) {
   const YAML::Node node = required(key);
   const std::string allowed = "a whole number from " + std::to_string(min) + " to " + std::to_string(max);
   int value = 0;
+  if (!node.IsScalar() || !is_decimal(node.Scalar())) fail(key, "'" + node_text(node) + "'", allowed);
   try {
     value = node.as<int>();
   } catch (const YAML::Exception&) {

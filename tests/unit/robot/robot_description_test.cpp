@@ -51,6 +51,34 @@ TEST_F(RobotFile, WithNotANumberIsRefused) {
   EXPECT_NE(refusal().find("cameras.baseline"), std::string::npos);
 }
 
+TEST_F(RobotFile, WithAKeyTwiceIsRefusedWithBothLines) {
+  change("  baseline: 0.065", "  baseline: 0.065\n  baseline: 0.075");
+  const std::string why = refusal();
+  EXPECT_NE(why.find("key 'cameras.baseline' stands twice, on lines "), std::string::npos) << why;
+  EXPECT_NE(why.find("; allowed: once"), std::string::npos) << why;
+}
+
+TEST_F(RobotFile, WithAKeyTwiceInAListIsRefused) {
+  change("size: 0.020", "size: 0.020\n    size: 0.030");
+  EXPECT_NE(refusal().find("key 'marks[0].size' stands twice"), std::string::npos) << refusal();
+}
+
+TEST_F(RobotFile, WithANumberThatYamlReadsAsOctalIsRefused) {
+  change("width_px: 640", "width_px: 0640");
+  EXPECT_NE(refusal().find("'cameras.width_px' is '0640'; allowed: a whole number from"), std::string::npos)
+      << refusal();
+}
+
+TEST_F(RobotFile, WithASecondDocumentIsRefused) {
+  text_ += "\n---\ncameras: {}\n";
+  EXPECT_NE(refusal().find("holds 2 YAML documents; allowed: one"), std::string::npos) << refusal();
+}
+
+TEST_F(RobotFile, WithAMisspeltJointIsRefused) {
+  change("name: shoulder", "name: sholder");
+  EXPECT_NE(refusal().find("'arm.joints[1].name' is 'sholder'; allowed: shoulder"), std::string::npos) << refusal();
+}
+
 TEST_F(RobotFile, WithTheSameMarkTwiceIsRefused) {
   change("name: yellow_book", "name: red_book");
   EXPECT_NE(refusal().find("red_book"), std::string::npos);
