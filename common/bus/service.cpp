@@ -5,8 +5,10 @@
 #include <fstream>
 #include <iostream>
 #include <markservo/ServiceStatus.hpp>
+#include <memory>
 #include <sstream>
 
+#include "common/bus/config_file.hpp"
 #include "common/bus/log_format.hpp"
 #include "common/bus/session.hpp"
 #include "common/robot/configuration_error.hpp"
@@ -28,6 +30,7 @@ struct CommonOptions {
 };
 
 void add_common_options(CLI::App& app, CommonOptions& options) {
+  app.config_formatter(std::make_shared<ConfigFile>(app));
   app.set_config("--config", "", "Read options from this file (key=value lines, keys as the options' names)");
   app.allow_config_extras(CLI::config_extras_mode::error);
   app.add_flag("--print-config", options.print_config, "Print all settings in force and exit")->configurable(false);

@@ -87,7 +87,31 @@ TEST_F(ServiceMain, IsReadyUnlessItSaysThatItWaits) {
 TEST_F(ServiceMain, RefusesAnUnknownKey) {
   write_config("gian=0.25\n");
   EXPECT_EQ(run({"--config", file_.string()}), kExitBadConfiguration);
-  EXPECT_NE(errors_.find("gian"), std::string::npos);
+  EXPECT_NE(errors_.find(file_.string() + ": line 1: key 'gian' is unknown; allowed: the options that --help lists"),
+            std::string::npos)
+      << errors_;
+}
+
+TEST_F(ServiceMain, RefusesAKeyThatStandsTwice) {
+  write_config("gain=0.25\n\ngain=0.5\n");
+  EXPECT_EQ(run({"--config", file_.string()}), kExitBadConfiguration);
+  EXPECT_NE(errors_.find("line 3: key 'gain' stands twice, first on line 1; allowed: once"), std::string::npos)
+      << errors_;
+}
+
+TEST_F(ServiceMain, TakesAPathWithSpacesFromItsConfigFile) {
+  write_config("robot-file=/home of/my robot.yaml   # mine\n");
+  EXPECT_EQ(run({"--config", file_.string(), "--print-config"}), kExitStopped);
+  EXPECT_NE(output_.find("robot-file=\"/home of/my robot.yaml\""), std::string::npos) << output_;
+}
+
+TEST_F(ServiceMain, ReadsTheSettingsThatItPrints) {
+  write_config("gain=0.25\nrobot-file=/home of/my robot.yaml\n");
+  run({"--config", file_.string(), "--print-config"});
+  const std::string printed = output_;
+  write_config(printed);
+  EXPECT_EQ(run({"--config", file_.string(), "--print-config"}), kExitStopped);
+  EXPECT_EQ(output_, printed);
 }
 
 TEST_F(ServiceMain, RefusesAWrongTypeAndABadValueInOneLine) {
