@@ -5,6 +5,8 @@
 #include <markservo/TargetPose.hpp>
 
 #include "common/bus/service.hpp"
+#include "common/robot/configuration_error.hpp"
+#include "common/robot/robot_description.hpp"
 
 using markservo::LocatedMark;
 using markservo::TargetPose;
@@ -17,7 +19,14 @@ class MarkWatcher : public markservo::bus::Service {
   void add_options(CLI::App& app) override { app.add_option("--mark", only_, "Print this mark only"); }
 
   // Read your files and check your settings here; throw ConfigurationError to end with exit code 2.
-  void configure(const std::string& /*robot_file*/) override {}
+  void configure(const std::string& robot_file) override {
+    if (only_.empty()) return;
+    const auto robot = markservo::robot::load_robot_description(robot_file);
+    if (robot.find_mark(only_) != nullptr) return;
+    std::string names;
+    for (const auto& mark : robot.marks) names += (names.empty() ? "" : ", ") + mark.name;
+    throw markservo::ConfigurationError("--mark '" + only_ + "': allowed: a mark of " + robot_file + ": " + names);
+  }
 
   // Subscribe and advertise. on_latest: the newest message wins; on_each: all, in order. need: until it comes, and when
   // it stops coming, the log and SERVICE_STATUS say so.
