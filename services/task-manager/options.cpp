@@ -16,6 +16,7 @@ void add_parameter_options(CLI::App& app, Parameters& p) {
       ->check(CLI::Range(0, 10))
       ->capture_default_str();
   number("--drive-target-depth", p.drive.target_depth, "m before the lenses, where those bring the target", 0.05, 2.0);
+  app.add_option("--tag-field", p.drive.tag_field, "Field of floor tags in robot.yaml; default: its floor_tags.in_use");
   app.add_option("--look-frames", p.look.frames, "Frames averaged before deciding")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();

@@ -2,6 +2,8 @@
 
 // The procedure's settings. Lengths m, times s of message time, speeds m/s of the grip point, forces N.
 
+#include <string>
+
 namespace markservo::task_manager {
 
 struct LookParameters {
@@ -21,6 +23,7 @@ struct DriveParameters {
   int corrections = 2;           // drives that follow when the target is seen where it cannot be taken
   double correction_max = 0.30;  // of one of them; further off is another mistake than a dock's
   double target_depth = 0.25;    // depth in C that a correction brings the target to: the workspace's middle
+  std::string tag_field;         // of floor tags, that is driven on; empty: robot.yaml's floor_tags.in_use
 };
 
 struct MotionParameters {

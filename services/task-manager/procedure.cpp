@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "services/task-manager/drive_field.hpp"
 #include "services/task-manager/lift_plan.hpp"
 #include "services/task-manager/procedure_step.hpp"
 
@@ -176,6 +177,9 @@ std::string ProcedureStep::why_no_task(const Command& command) const {
   }
   if (!mark->grip) return "the description of " + command.target + " has no section 'grip': it cannot be taken";
   if (command.drive_pose && !robot_.base) return "the robot cannot drive: its description has no section 'base'";
+  if (command.drive_pose) {
+    if (auto why = why_off_the_field(robot_, p_.drive.tag_field, *command.drive_pose); !why.empty()) return why;
+  }
   if (in_.stop.latched) return "stop is latched: reset it first (" + in_.stop.reason + ")";
   if (s_.holding.something) return "the hand holds " + s_.task.target + ": send HOME first, which puts it back";
   return "";

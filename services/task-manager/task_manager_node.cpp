@@ -42,6 +42,7 @@ void TaskManagerNode::configure(const std::string& robot_file) {
                              " m; allowed: at least place-radius-min, " +
                              std::to_string(parameters_.carry.place_radius_min) + " m");
   }
+  if (robot_.floor_tags) robot_.floor_tags->field(parameters_.drive.tag_field);  // throws if there is none
   procedure_.emplace(robot_, parameters_);
 }
 
