@@ -1,8 +1,32 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <sstream>
+#include <string>
 
 namespace markservo::bus {
+
+// That a number is one, and from `min` to `max`. (CLI::Range takes "nan", which is neither below nor above.)
+class Within : public CLI::Validator {
+ public:
+  Within(double min, double max) {
+    const std::string range = text(min) + " to " + text(max);
+    description("FLOAT in [" + text(min) + " - " + text(max) + "]");
+    func_ = [min, max, range](std::string& input) {
+      double value = 0.0;
+      const bool number = CLI::detail::lexical_cast(input, value) && std::isfinite(value);
+      return number && value >= min && value <= max ? std::string() : "'" + input + "'; allowed: " + range;
+    };
+  }
+
+ private:
+  static std::string text(double value) {
+    std::ostringstream out;
+    out << value;
+    return out.str();
+  }
+};
 
 // Adds options that are numbers in a range, their values as they stand the defaults:
 //
@@ -14,7 +38,7 @@ class NumberOptions {
   explicit NumberOptions(CLI::App& app) : app_(&app) {}
 
   void operator()(const char* name, double& value, const char* what, double min, double max) const {
-    app_->add_option(name, value, what)->check(CLI::Range(min, max))->capture_default_str();
+    app_->add_option(name, value, what)->check(Within(min, max))->capture_default_str();
   }
 
  private:

@@ -6,6 +6,7 @@
 #include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
 #include "common/bus/network_check.hpp"
+#include "common/bus/number_options.hpp"
 #include "common/bus/service.hpp"
 #include "common/bus/tool.hpp"
 #include "common/census/census_text.hpp"
@@ -99,7 +100,9 @@ int main(int argc, char** argv) {
                "bus-census");
   Options options;
   markservo::bus::add_live_bus_option(app, options.url);
-  app.add_option("--for", options.seconds, "Listen so long, s")->check(CLI::Range(0.1, 3600.0))->capture_default_str();
+  app.add_option("--for", options.seconds, "Listen so long, s")
+      ->check(markservo::bus::Within(0.1, 3600.0))
+      ->capture_default_str();
   auto* json = app.add_flag("--json", options.json, "One JSON object instead of tables");
   app.add_flag("--follow", options.follow, "Print each SERVICE_STATUS instead when it comes, one JSON object a line")
       ->excludes(json);

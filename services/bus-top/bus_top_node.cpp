@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "common/bus/end_signals.hpp"
+#include "common/bus/number_options.hpp"
 #include "common/bus/tool.hpp"
 #include "common/reflection/message_note.hpp"
 #include "common/reflection/value_text.hpp"
@@ -47,7 +48,7 @@ void add_options(CLI::App& app, BusTopOptions& options) {
   app.add_flag("--once", options.once, "Print once, as plain text, and end; so without a terminal");
   app.add_flag("--json", options.json, "Print once, as JSON, and end");
   app.add_option("--for", options.seconds, "How long to listen before printing once, s")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(bus::Within(0.1, 3600.0))
       ->capture_default_str();
   app.footer(
       "Keys: arrows, page up and down, home, end; Enter shows a channel's fields live, Escape goes back; q quits.\n"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/bus/number_options.hpp"
 #include "common/bus/service.hpp"
 #include "common/reflection/type_catalog.hpp"
 #include "common/reflection/value_text.hpp"
@@ -166,9 +167,10 @@ int main(int argc, char** argv) {
   };
   const auto add_choice = [&options](CLI::App* sub) {
     // A range also refuses what is no number.
-    sub->add_option("--from", options.choice.from, "s after the log's first event")->check(CLI::Range(-1e9, 1e9));
+    sub->add_option("--from", options.choice.from, "s after the log's first event")
+        ->check(markservo::bus::Within(-1e9, 1e9));
     sub->add_option("--to", options.choice.to, "s after the log's first event, that instant not included")
-        ->check(CLI::Range(-1e9, 1e9));
+        ->check(markservo::bus::Within(-1e9, 1e9));
     sub->add_option("--channel", options.choice.channels, "These channels only (regular expression; may be repeated)")
         ->allow_extra_args(false);
     sub->add_option("--without", options.choice.without, "Not these channels")->allow_extra_args(false);
@@ -203,7 +205,7 @@ int main(int argc, char** argv) {
   sub->add_option("RECORDED", options.input)->required();
   sub->add_option("REPLAYED", options.other)->required();
   sub->add_option("--tolerance", options.comparison.tolerance, "Of numbers, absolute and relative, SI units")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(markservo::bus::Within(0.0, 1e9))
       ->capture_default_str();
   sub->add_flag("--complete", options.complete,
                 "A message that was not recorded, or recorded only, is a difference too");
@@ -227,7 +229,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Validator(no_live_bus, "udpm:// or tcpq://"))
       ->capture_default_str();
   sub->add_option("--speed", options.play.speed, "Times the recorded pace")
-      ->check(CLI::Range(1e-6, 1e6))
+      ->check(markservo::bus::Within(1e-6, 1e6))
       ->capture_default_str();
   sub->add_option("--channel", options.play.channels,
                   "These channels only (regular expression), also such as the table of channels does not have");

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "common/bus/number_options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/detection_message.hpp"
 #include "services/mark-detector/jpeg_size.hpp"
@@ -59,7 +60,7 @@ void MarkDetectorNode::add_options(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--row-tolerance", parameters_.selection.row_tolerance,
                  "How far a mark's rows may differ between the images, px")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(bus::Within(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--memory-frames", parameters_.memory_frames,
                  "Frames for which the place of an unseen mark is remembered")

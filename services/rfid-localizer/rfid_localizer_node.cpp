@@ -27,12 +27,12 @@ void RfidLocalizerNode::add_options(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--tag-field", field_, "Field of floor tags in robot.yaml; default: its floor_tags.in_use");
   app.add_option("--delay", delay_, "From the middle of a reader's round to its arrival, s; default: robot.yaml's")
-      ->check(CLI::Range(0.0, 5.0));
+      ->check(bus::Within(0.0, 5.0));
   app.add_option("--delay-sigma", delay_sigma_,
                  "How well that is known, s; default: robot.yaml's. The filter improves on it when the speed changes")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(bus::Within(0.0, 1.0));
   app.add_option("--start-heading", start_heading_deg_, "The robot's heading at the start, deg; default: not known")
-      ->check(CLI::Range(-360.0, 360.0));
+      ->check(bus::Within(-360.0, 360.0));
   number("--start-heading-sigma", start_heading_sigma_deg_, "How well that is known, deg", 0.1, 60.0);
   number("--slip-margin", slip_margin_, "On robot.yaml's drift of the heading: what floors add to it", 1.0, 10.0);
   number("--lost-sigma", parameters_.trust.largest_sigma, "Position less well known counts as lost, m", 0.01, 10.0);

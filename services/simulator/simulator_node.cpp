@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "common/bus/network_check.hpp"
+#include "common/bus/number_options.hpp"
 #include "common/messages/motion_messages.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
@@ -59,7 +60,7 @@ void SimulatorNode::add_options(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--lockstep-timeout", lockstep_timeout_s_,
                  "Wait for answers at most this long, s; then the run is invalid")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(bus::Within(0.1, 3600.0))
       ->capture_default_str();
   app.add_option("--encoding", encoding_, "raw, jpeg, or auto: raw where the network's buffers hold it")
       ->check(CLI::IsMember({"auto", "raw", "jpeg"}))

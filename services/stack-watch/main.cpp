@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "common/bus/number_options.hpp"
 #include "common/bus/service.hpp"
 #include "common/bus/tool.hpp"
 #include "services/stack-watch/answering_device.hpp"
@@ -40,7 +41,7 @@ int main(int argc, char** argv) {
   app.add_option("--socket", socket, "Where it answers")->required();
   app.add_option("--silence", silence_s,
                  "A service that spoke and then says nothing for so long is killed, s (for its first word: 15 s)")
-      ->check(CLI::Range(2.0, 3600.0))
+      ->check(markservo::bus::Within(2.0, 3600.0))
       ->capture_default_str();
   return markservo::bus::run_tool(app, argc, argv, [&] {
     settings.silence.silence_us = static_cast<int64_t>(1e6 * silence_s);

@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/bus/number_options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
 #include "services/target-locator/pose_message.hpp"
@@ -27,7 +28,7 @@ void TargetLocatorNode::add_options(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--paper-window", parameters_.paper.window,
                  "--method paper: side of the search window over the side of the mark's box (a of eq. 3)")
-      ->check(CLI::Range(0.01, 4.0))
+      ->check(bus::Within(0.01, 4.0))
       ->capture_default_str();
 }
 

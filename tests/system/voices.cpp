@@ -31,6 +31,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/bus_url.hpp"
+#include "common/bus/number_options.hpp"
 
 namespace markservo {
 namespace {
@@ -233,12 +234,12 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.add_option("--lcm-url", markservo::url, "LCM bus")->envname("MARKSERVO_LCM_URL")->capture_default_str();
   const auto add_seconds = [&seconds](CLI::App* command, const char* what) {
-    command->add_option("--seconds", seconds, what)->check(CLI::Range(0.5, 600.0))->capture_default_str();
+    command->add_option("--seconds", seconds, what)->check(markservo::bus::Within(0.5, 600.0))->capture_default_str();
   };
   CLI::App* senders = app.add_subcommand("two-senders", "Two programs give the same robot goals of their own");
   add_seconds(senders, "So long both send");
   senders->add_option("--head-start", head_start, "So long the first one sends alone, s")
-      ->check(CLI::Range(0.0, 60.0))
+      ->check(markservo::bus::Within(0.0, 60.0))
       ->capture_default_str();
   CLI::App* rest = app.add_subcommand("rest", "Whether a simulator stays latched and where it is");
   add_seconds(rest, "So long it is watched");

@@ -12,6 +12,7 @@
 
 #include "common/bus/bus_url.hpp"
 #include "common/bus/network_check.hpp"
+#include "common/bus/number_options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "tests/bench/bench_marks.hpp"
 #include "tests/bench/latency/latency_report.hpp"
@@ -193,7 +194,7 @@ int main(int argc, char** argv) {
       ->envname("MARKSERVO_LCM_URL")
       ->capture_default_str();
   app.add_option("--seconds", options.seconds, "Of each kind of frames, through each")
-      ->check(CLI::Range(1.0, 600.0))
+      ->check(markservo::bus::Within(1.0, 600.0))
       ->capture_default_str();
   app.add_flag("--json", options.json, "Print one JSON object");
   try {

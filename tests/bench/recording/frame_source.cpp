@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "common/bus/bus_url.hpp"
+#include "common/bus/number_options.hpp"
 #include "common/bus/publisher.hpp"
 #include "common/bus/session.hpp"
 #include "common/robot/configuration_error.hpp"
@@ -93,9 +94,11 @@ int main(int argc, char** argv) {
   app.add_option("--robot-file", options.robot_file, "The robot's description")->capture_default_str();
   app.add_option("--lcm-url", options.lcm_url, "LCM bus")->envname("MARKSERVO_LCM_URL")->capture_default_str();
   app.add_option("--robot", options.prefix, "Prefix of the channels");
-  app.add_option("--rate", options.rate, "Frames a second")->check(CLI::Range(0.1, 1000.0))->capture_default_str();
+  app.add_option("--rate", options.rate, "Frames a second")
+      ->check(markservo::bus::Within(0.1, 1000.0))
+      ->capture_default_str();
   app.add_option("--seconds", options.seconds, "0: until told to end")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(markservo::bus::Within(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--pairs", options.pairs, "Different pictures, sent in turn")
       ->check(CLI::Range(1, 1000))
