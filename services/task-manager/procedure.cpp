@@ -181,7 +181,7 @@ std::string ProcedureStep::why_no_task(const Command& command) const {
     if (auto why = why_off_the_field(robot_, p_.drive.tag_field, *command.drive_pose); !why.empty()) return why;
   }
   if (in_.stop.latched) return "stop is latched: reset it first (" + in_.stop.reason + ")";
-  if (s_.holding.something) return "the hand holds " + s_.task.target + ": send HOME first, which puts it back";
+  if (s_.holding.something) return "the hand holds " + s_.task.target + ": scripts/task home puts it back";
   return "";
 }
 

@@ -96,7 +96,7 @@ std::optional<Ending> Dialogue::devices_ending() const {
               with_reason(name + (device.latched ? " is still stopped" : " is not stopped"), device.reason);
   }
   if (!others.empty()) return Ending{kExitRefused, others};
-  return Ending{kExitReached, action_ == Action::kStop ? "stopped: task-operator reset releases it"
+  return Ending{kExitReached, action_ == Action::kStop ? "stopped: scripts/task reset releases it"
                                                        : "released: nothing moves until it is told to (start or home)"};
 }
 
@@ -105,10 +105,10 @@ std::optional<Ending> Dialogue::obstacle() const {
   for (const auto& [name, device] : devices_) {
     if (!device.latched) continue;
     return Ending{kExitRefused,
-                  "stop is latched (" + with_reason(name, device.reason) + "): task-operator reset releases it"};
+                  "stop is latched (" + with_reason(name, device.reason) + "): scripts/task reset releases it"};
   }
   if (under_way(task_->phase)) {
-    return Ending{kExitRefused, "a task is under way (" + describe(*task_) + "): task-operator abort ends it"};
+    return Ending{kExitRefused, "a task is under way (" + describe(*task_) + "): scripts/task abort ends it"};
   }
   return std::nullopt;
 }

@@ -171,6 +171,10 @@ void TaskOperatorNode::send() {
   commands_->publish(command);
 }
 
+std::string TaskOperatorNode::where(const bus::Bus& bus) {
+  return "asked on " + text::printable(bus.urls().out) + " (bus-census lists who is on a bus)";
+}
+
 void TaskOperatorNode::run(bus::Bus& bus) {
   do {
     const Step step = dialogue_->step(steady_seconds());
@@ -179,7 +183,7 @@ void TaskOperatorNode::run(bus::Bus& bus) {
     if (!step.ending) continue;
     exit_code_ = step.ending->exit_code;
     (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ")
-        << text::printable(step.ending->line) << std::endl;
+        << text::printable(step.ending->line) << (exit_code_ == kExitNoAnswer ? "; " + where(bus) : "") << std::endl;
     return;
   } while (bus.poll(std::chrono::milliseconds(50)));
   exit_code_ = kExitInterrupted;

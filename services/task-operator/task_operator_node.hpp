@@ -35,6 +35,8 @@ class TaskOperatorNode : public bus::Service {
   void on_stop_state(const StopState& state);
   void on_task_state(const TaskState& state);
   void send();
+  // On which bus nobody answered, for people.
+  static std::string where(const bus::Bus& bus);
 
   std::string action_text_;
   Action action_ = Action::kStop;

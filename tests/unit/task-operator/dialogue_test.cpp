@@ -79,7 +79,7 @@ TEST(StartDialogue, IsNotSentWhileAStopIsLatched) {
   EXPECT_FALSE(step.send);
   ASSERT_TRUE(step.ending);
   EXPECT_EQ(step.ending->exit_code, kExitRefused);
-  EXPECT_EQ(step.ending->line, "stop is latched (arm: comes up stopped): task-operator reset releases it");
+  EXPECT_EQ(step.ending->line, "stop is latched (arm: comes up stopped): scripts/task reset releases it");
 }
 
 TEST(StartDialogue, IsNotSentWhileATaskIsUnderWay) {
