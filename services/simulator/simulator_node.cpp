@@ -66,8 +66,7 @@ void SimulatorNode::add_options(CLI::App& app) {
       ->check(CLI::IsMember({"auto", "raw", "jpeg"}))
       ->capture_default_str();
   app.add_option("--jpeg-quality", jpeg_quality_, "1 to 100")->check(CLI::Range(1, 100))->capture_default_str();
-  app.add_option("--snapshot", snapshot_, "Write one picture pair, side by side, to this file and exit")
-      ->configurable(false);
+  add_picture_options(app, pictures_);
   app.add_flag("--list-settings", list_settings_, "Print all settings with values and meaning and exit")
       ->configurable(false);
 }
@@ -82,7 +81,7 @@ void SimulatorNode::configure(const std::string& robot_file) {
     throw ConfigurationError("--wait-for names an answer to WHEEL_ODOMETRY; allowed: with section 'base' in " +
                              robot_file);
   }
-  if (list_settings_) return;
+  if (list_settings_ || !pictures_.print_mark.empty()) return;
   try {
     renderer_ = std::make_unique<StereoRenderer>();
   } catch (const std::runtime_error& error) {
@@ -95,21 +94,17 @@ std::optional<int> SimulatorNode::run_alone() {
     std::cout << list_settings(settings_);
     return bus::kExitStopped;
   }
-  if (snapshot_.empty()) return std::nullopt;
+  if (!pictures_.print_mark.empty()) {
+    write_print_sheet(pictures_, robot_, scene_);
+    return bus::kExitStopped;
+  }
+  if (pictures_.snapshot.empty()) return std::nullopt;
   simulation_ =
       std::make_unique<Simulation>(robot_, scene_, settings_, static_cast<std::uint64_t>(seed_), Timing::kLockstep, 0);
   simulation_->expose(1);
   simulation_->world().truth();
   const ImagePair images = draw();
-  cv::Mat both;
-  cv::hconcat(images.left, images.right, both);
-  bool written = false;
-  try {
-    written = cv::imwrite(snapshot_, both);
-  } catch (const cv::Exception&) {  // a file name that OpenCV knows no format for
-  }
-  if (!written)
-    throw ConfigurationError("--snapshot is '" + snapshot_ + "'; allowed: a .png or .jpg that can be written");
+  write_snapshot(pictures_, images.left, images.right);
   return bus::kExitStopped;
 }
 

@@ -21,6 +21,7 @@
 #include "services/simulator/lockstep_barrier.hpp"
 #include "services/simulator/lockstep_node.hpp"
 #include "services/simulator/lying_sensors.hpp"
+#include "services/simulator/picture_options.hpp"
 #include "services/simulator/simulation.hpp"
 #include "services/simulator/stereo_renderer.hpp"
 
@@ -70,7 +71,7 @@ class SimulatorNode : public bus::Service {
   std::string encoding_ = "auto";
   int jpeg_quality_ = 90;
   std::vector<std::string> assignments_;
-  std::string snapshot_;
+  PictureOptions pictures_;
   bool list_settings_ = false;
 
   robot::RobotDescription robot_;
