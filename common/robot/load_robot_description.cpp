@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 #include "common/geometry/plane_pose.hpp"
@@ -154,6 +155,10 @@ const MarkDescription* RobotDescription::find_mark(const std::string& name) cons
 }
 
 RobotDescription load_robot_description(const std::string& path) {
+  // The usual reason is another working directory than the project's.
+  if (!std::ifstream(path)) {
+    throw ConfigurationError(path + ": cannot be opened; allowed: a readable robot description, --robot-file FILE");
+  }
   YamlSection root = YamlSection::load(path);
   RobotDescription robot;
   robot.cameras = load_cameras(root.section("cameras"));

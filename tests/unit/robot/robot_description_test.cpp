@@ -112,7 +112,13 @@ TEST_F(RobotFile, ThatIsNotYamlIsRefused) {
 }
 
 TEST_F(RobotFile, ThatIsNotThereIsRefused) {
-  EXPECT_THROW(load_robot_description("/nowhere/robot.yaml"), ConfigurationError);
+  try {
+    load_robot_description("/nowhere/robot.yaml");
+    FAIL() << "accepted";
+  } catch (const ConfigurationError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "/nowhere/robot.yaml: cannot be opened; allowed: a readable robot description, --robot-file FILE");
+  }
 }
 
 }  // namespace
