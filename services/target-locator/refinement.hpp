@@ -1,6 +1,7 @@
 #pragma once
 
-// Lucas-Kanade along the epipolar line: one feature's disparity to a few hundredths of a pixel.
+// Lucas-Kanade along the epipolar line: one feature's disparity to a few hundredths of a pixel (B. D. Lucas and T.
+// Kanade, "An iterative image registration technique with an application to stereo vision", IJCAI 1981).
 
 #include <optional>
 
