@@ -6,6 +6,13 @@
 repository=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
 script_name=${0##*/}
 
+# Numbers and times are read by programs: 1.5, never 1,5, whatever the language of who is here.
+if [[ -n ${LC_ALL-} ]]; then
+  export LANG=$LC_ALL
+  unset LC_ALL
+fi
+export LC_NUMERIC=C LC_TIME=C LC_COLLATE=C
+
 # say TEXT...: one line of progress on standard output.
 say() { printf '%s\n' "$*"; }
 
