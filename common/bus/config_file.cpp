@@ -53,6 +53,7 @@ std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const 
     if (!fresh && option->get_items_expected_max() <= 1) {
       fail("key '" + item.name + "' stands twice, first on line " + std::to_string(first->second) + "; allowed: once");
     }
+    if (item.inputs == std::vector<std::string>{""}) continue;  // as --print-config writes what is not set
     if (!items.empty() && items.back().name == item.name) {
       items.back().inputs.insert(items.back().inputs.end(), item.inputs.begin(), item.inputs.end());
     } else {

@@ -6,7 +6,7 @@
 //   speed=0.5                     send=STOP                        # an option that takes many: a line for each,
 //   quiet                         send=[STOP, TASK_STATE]          # or a list
 //
-// A value may hold spaces, and may stand in quotes.
+// A value may hold spaces, and may stand in quotes; an empty one leaves the option as it is.
 
 #include <CLI/CLI.hpp>
 #include <iosfwd>
