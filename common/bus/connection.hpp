@@ -37,8 +37,7 @@ class Connection {
   bool open();
 
   // Sees to a bus that is lost: asks four times a second whether it is back, where finding out takes a moment every two
-  // seconds, and opens it anew, which joins the
-  // multicast group again. True if it was opened in this call.
+  // seconds, and opens it anew, which joins the multicast group again. True if it was opened in this call.
   bool mend(Time now);
   // The bus is read no more, or hears nothing: mend() opens it anew.
   void lose(const std::string& why, Time now);

@@ -11,7 +11,8 @@ inline constexpr int64_t kMaxLost = int64_t{1} << 53;
 
 // Counts the messages that one writer's `seq` leave out. A number ahead of the next is believed once another goes on
 // from it: one alone, which a hostile or broken writer sends, counts for nothing and hides nothing. One that comes late
-// or twice loses nothing.
+// or twice loses nothing. So a gap is counted with the second message behind it: one before a writer's last message is
+// not.
 class GapCounter {
  public:
   // `seq`: any number; one outside of 0 to kMaxLost is no seq.

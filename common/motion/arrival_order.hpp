@@ -30,7 +30,7 @@ struct ArrivalParameters {
 // | above       | below, by more       | anew                                  |
 // | not above   | not above            | late; however many, when over 1 s back |
 // | not above   | above                | double                                |
-// | the third late one in a row, each above the one before in both | | anew |
+// | the third late or double one in a row, each above the one before in both | | anew: the writer is alone again |
 class ArrivalOrder {
  public:
   explicit ArrivalOrder(ArrivalParameters parameters = {}) : parameters_(parameters) {}
@@ -45,12 +45,12 @@ class ArrivalOrder {
 
  private:
   Arrival take(const Stamp& stamp, Arrival arrival);
-  Arrival out_of_turn(const Stamp& stamp);
+  Arrival out_of_turn(const Stamp& stamp, Arrival verdict);
 
   ArrivalParameters parameters_;
   bool empty_ = true;
   Stamp last_;
-  int run_ = 0;  // late ones in a row, each above the one before
+  int run_ = 0;  // late or double ones in a row, each above the one before
   Stamp run_last_;
 };
 

@@ -26,8 +26,8 @@ bool within(double age, std::int64_t from, std::int64_t to) {
 // `id` of `session` was heard: what is not above it is nothing new.
 template <class Senders>
 void remember(std::int64_t session, std::int64_t id, Senders& senders) {
-  const auto known = std::find_if(senders.begin(), senders.end(),
-                                  [session](const auto& sender) { return sender.session == session; });
+  const auto known =
+      std::find_if(senders.begin(), senders.end(), [session](const auto& sender) { return sender.session == session; });
   if (known != senders.end()) {
     id = std::max(id, known->last_id);
     senders.erase(known);
@@ -43,7 +43,10 @@ GoalHeard GoalInbox::hear(const GoalStamp& goal, std::int64_t now, double age, b
   if (now != 0 && !within(age, goal.utime, now)) return GoalHeard::kStale;
   const std::int64_t moment = now != 0 ? now : goal.utime;
   const bool second_spoke = second_.has_value() && second_->session != goal.session;
-  if (!has_floor(goal, moment, age)) {
+  const bool again = goal_ && goal.session == goal_->session && goal.id == goal_->id;
+  const bool nothing_new = !again && heard_before(goal);
+  if (!has_floor(goal, moment, age, nothing_new)) {
+    if (floor_is_free(moment, age)) return ended(goal, moment, latched);
     remember(goal.session, goal.id, ignored_);
     return GoalHeard::kSecond;
   }
@@ -55,24 +58,34 @@ GoalHeard GoalInbox::hear(const GoalStamp& goal, std::int64_t now, double age, b
     end();
     return GoalHeard::kContested;
   }
-  if (goal_ && goal.session == goal_->session && goal.id == goal_->id) {
+  if (again) {
     if (fresher(goal.utime, goal_->utime, now)) goal_->utime = goal.utime;
     return GoalHeard::kAgain;
   }
-  if (heard_before(goal)) return GoalHeard::kEnded;
+  if (nothing_new) return ended(goal, moment, latched);
   remember(goal.session, goal.id, senders_);
   if (latched) return GoalHeard::kEnded;
   goal_ = goal;
   return GoalHeard::kNew;
 }
 
-bool GoalInbox::has_floor(const GoalStamp& goal, std::int64_t now, double age) {
+bool GoalInbox::floor_is_free(std::int64_t now, double age) const {
+  return holder_ == 0 || seconds_between(holder_heard_at_, now) > age;
+}
+
+GoalHeard GoalInbox::ended(const GoalStamp& goal, std::int64_t now, bool latched) {
+  if (!latched) ended_ = Second{goal.session, now};
+  return GoalHeard::kEnded;
+}
+
+bool GoalInbox::has_floor(const GoalStamp& goal, std::int64_t now, double age, bool nothing_new) {
   if (goal.session != holder_) {
     holder_heard_at_ = std::min(holder_heard_at_, now);  // a clock that went back
-    if (holder_ != 0 && seconds_between(holder_heard_at_, now) <= age) {
+    if (!floor_is_free(now, age)) {
       second_ = Second{goal.session, now};
       return false;
     }
+    if (nothing_new) return false;
     if (goal_ && goal_->session != goal.session) end();
     holder_is_first_ = holder_ == 0;
     holder_ = goal.session;
@@ -105,7 +118,12 @@ std::string GoalInbox::two() const {
 }
 
 std::string GoalInbox::second(std::int64_t now, double age) const {
-  if (!second_ || !within(age, second_->heard_at, now)) return "";
+  if (!second_ || !within(age, second_->heard_at, now)) {
+    const bool in_vain = ended_ && within(age, ended_->heard_at, now) && !fresh(now, age);
+    if (!in_vain) return "";
+    return channel_ + " of session " + std::to_string(ended_->session) +
+           " was ended, or ignored while another sent: it needs a new goal_id";
+  }
   return "a second one sends " + channel_ + ": session " + std::to_string(second_->session) + " is not obeyed, " +
          std::to_string(holder_) + " is";
 }

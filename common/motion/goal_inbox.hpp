@@ -5,8 +5,8 @@
 // Goals are repeated at 5 Hz. Each sender's are told apart by growing ids, and a goal is new once: what a later goal, a
 // stop or another beginning has ended stays ended, though it is repeated. The first sender keeps the floor while it
 // repeats; a second one is named and ignored, and may take the floor with a new goal once the first has been silent for
-// goal_age: what was ignored does not begin by itself when somebody else falls silent. Who takes the floor, be it with
-// nothing new, ends what the one before wanted.
+// goal_age: what was ignored does not begin by itself when somebody else falls silent, nor takes the floor from who
+// only paused. Who takes it ends what the one before wanted.
 //
 // | state   | heard                                                     | then                           |
 // | ------- | --------------------------------------------------------- | ------------------------------ |
@@ -56,7 +56,8 @@ class GoalInbox {
 
   // Which two send: of a contested floor.
   std::string two() const;
-  // "a second one sends SERVO_GOAL: session 34 is not obeyed, 12 is"; empty when none did in the last `age` s.
+  // "a second one sends SERVO_GOAL: session 34 is not obeyed, 12 is"; or that one repeats in vain what was ended, while
+  // none is followed; empty when none did in the last `age` s.
   std::string second(std::int64_t now, double age) const;
 
  private:
@@ -69,7 +70,9 @@ class GoalInbox {
     std::int64_t heard_at = 0;  // us, of now
   };
 
-  bool has_floor(const GoalStamp& goal, std::int64_t now, double age);
+  bool has_floor(const GoalStamp& goal, std::int64_t now, double age, bool nothing_new);
+  bool floor_is_free(std::int64_t now, double age) const;
+  GoalHeard ended(const GoalStamp& goal, std::int64_t now, bool latched);
   bool heard_before(const GoalStamp& goal) const;
 
   std::string channel_;
@@ -82,6 +85,7 @@ class GoalInbox {
   bool holder_is_first_ = false;      // nobody had the floor before it
   bool contested_ = false;
   std::optional<Second> second_;
+  std::optional<Second> ended_;  // who last repeated what was ended
 };
 
 }  // namespace markservo::motion

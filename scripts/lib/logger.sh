@@ -109,6 +109,9 @@ group_of() {
 # interfaces_of GROUP: the numbers of the interfaces that take part in it, one a line.
 interfaces_of() { awk -v group="$1" '/^[0-9]/ { number = $1 } $1 == group { print number }' /proc/net/igmp 2>/dev/null | sort; }
 
+# all_interfaces: the numbers of those that there are, one a line.
+all_interfaces() { awk '/^[0-9]/ { print $1 }' /proc/net/igmp 2>/dev/null | sort; }
+
 # note_interfaces: where lcm-logger, which has just begun to listen, may hear.
 note_interfaces() {
   group=$(group_of "$lcm_url")
@@ -120,7 +123,7 @@ note_interfaces() {
 # can_hear: false when an interface that the group was joined on is gone: whoever joined it there hears nothing any more,
 # and is not told. One that came back has another number.
 can_hear() {
-  if [[ -n ${interfaces-} && -n $(comm -23 <(printf '%s\n' "$interfaces") <(interfaces_of "$group")) ]]; then return 1; fi
+  if [[ -n ${interfaces-} && -n $(comm -23 <(printf '%s\n' "$interfaces") <(all_interfaces)) ]]; then return 1; fi
   heard_until=$EPOCHREALTIME
 }
 

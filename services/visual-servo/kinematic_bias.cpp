@@ -63,10 +63,12 @@ void KinematicBias::see(const robot::ArmDescription& arm, const KinematicBiasPar
   };
   const Eigen::Vector3d seen = kinematic_bias(arm, q_exposure, p_CM);
   const Eigen::Vector3d surprise = seen - h * state_;
-  if (surprise.norm() > parameters.surprise &&
-      surprise.dot(expected().inverse() * surprise) > squared(parameters.surprise_sigmas)) {
-    begin(parameters);
-  }
+  const bool contradicts = surprise.norm() > parameters.surprise &&
+                           surprise.dot(expected().inverse() * surprise) > squared(parameters.surprise_sigmas);
+  const bool twice = contradicts && contradicted_;
+  contradicted_ = contradicts && !twice;
+  if (contradicted_) return;
+  if (twice) begin(parameters);
   const Eigen::Matrix<double, kStates, 3> gain = covariance_ * h.transpose() * expected().inverse();
   state_ += gain * (seen - h * state_);
   const Covariance updated = (Covariance::Identity() - gain * h) * covariance_;

@@ -21,8 +21,8 @@ struct KinematicBiasParameters {
   double lag_sigma = 0.010;       // s, a priori: by how much shafts trail behind the joints' word, as speed grows
   double run_up_sigma = 0.010;  // s^2/rad, a priori: 1 / (2 a) of motors that brake and gather speed at a = 50 rad/s^2
   double clock_sigma = 0.001;   // s between a picture and its joint states: a moving hand tells less
-  // A frame that contradicts what was learned by so much in m and in sigmas: a joint's word was wrong before or is now,
-  // and what was learned by it is forgotten.
+  // A frame that contradicts what was learned by so much in m and in sigmas is passed over; with a second one in a row
+  // a joint's word was wrong before or is now, and what was learned by it is forgotten.
   double surprise = 0.005;
   double surprise_sigmas = 7.0;
 };
@@ -49,6 +49,7 @@ class KinematicBias {
   using States = Eigen::Matrix<double, kStates, 1>;
   using Covariance = Eigen::Matrix<double, kStates, kStates>;
   bool begun_ = false;
+  bool contradicted_ = false;      // by the last frame, which was passed over
   States state_ = States::Zero();  // m: offset in C, upper arm, forearm; rad: play; s: lag; s^2/rad: run-up
   Covariance covariance_ = Covariance::Zero();
   robot::JointVector directions_ = robot::JointVector::Zero();

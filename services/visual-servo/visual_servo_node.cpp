@@ -17,6 +17,9 @@ namespace {
 using messages::drop;
 using messages::stamp_of;
 
+// Pictures are known by what is told of them: whoever writes them, or tells so, may be the second.
+const char* const kFrames = "STEREO_FRAME (by TARGET_POSE)";
+
 motion::Stamp frame_of(const TargetPose& pose) {
   return {pose.frame_session, pose.frame_seq, pose.frame_utime};
 }
@@ -123,7 +126,7 @@ void VisualServoNode::on_pose(const TargetPose& pose) {
   if (const auto why = motion::why_dropped(heard); !why.empty()) sample.doubt = "TARGET_POSE " + why;
   if (heard == motion::Heard::kAnew) machine_->begin_pictures_anew(state_);
   if (sample.doubt.empty()) {
-    const motion::Heard frame = arm_->hear_stream(channels::kStereoFrame.name, frame_of(pose));
+    const motion::Heard frame = arm_->hear_stream(kFrames, frame_of(pose));
     if (const auto why = motion::why_dropped(frame); !why.empty()) sample.doubt = "STEREO_FRAME " + why;
     if (frame == motion::Heard::kAnew) machine_->begin_pictures_anew(state_);
   }

@@ -1,8 +1,7 @@
 // What a robot does when others speak in its bus; for tests.
-//   voices two-senders   two programs each give the arm and the base goals of their own, at 5 Hz; the second begins
-//   some
-//                        time after the first. Says how often what moves changed from one to the other, and when the
-//                        second was named. The robot must be released
+//   voices two-senders   two programs each give the arm and the base goals of their own, at 5 Hz, the second begins
+//                        later. Says how often what moves changed from one to the other, and when the second was
+//                        named. The robot must be released
 //   voices rest          listens; says whether the simulator that speaks first was released and how far it moved
 // Each says it in one line of JSON.
 

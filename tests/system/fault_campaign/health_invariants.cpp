@@ -70,8 +70,26 @@ bool spoken(const Timeline& timeline, const std::string& channel, std::int64_t f
   return false;
 }
 
+// When nothing at all was heard of the stack for longer than `bars.no_network`: then there was no network, by which
+// nobody is deaf or mute who waits for it.
+std::vector<std::pair<std::int64_t, std::int64_t>> without_network(const Timeline& timeline, const Bars& bars) {
+  std::vector<std::int64_t> times;
+  for (const auto& [channel, traffic] : timeline.traffic) {
+    for (const Traffic& one : traffic) {
+      if (!one.foreign) times.push_back(one.t);
+    }
+  }
+  std::sort(times.begin(), times.end());
+  std::vector<std::pair<std::int64_t, std::int64_t>> gaps;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (seconds_between(times[i - 1], times[i]) > bars.no_network) gaps.emplace_back(times[i - 1], times[i]);
+  }
+  return gaps;
+}
+
 void judge_words(const Timeline& timeline, const std::string& service, const Bars& bars, Verdict& verdict) {
   const Needs& need = needs().at(service);
+  const auto gaps = without_network(timeline, bars);
   const auto silence_us = static_cast<std::int64_t>((bars.silence + bars.status_slack) * 1e6);
   for (const auto& [pid, words] : words_of_service(timeline, service)) {
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -81,6 +99,9 @@ void judge_words(const Timeline& timeline, const std::string& service, const Bar
       while (before > 0 && now.t - words[before]->t < silence_us) --before;
       const auto& then = *words[before];
       if (now.t - then.t < silence_us) continue;
+      const bool cut = std::any_of(gaps.begin(), gaps.end(),
+                                   [&](const auto& gap) { return gap.first < now.t && gap.second > then.t; });
+      if (cut) continue;
       ++verdict.judged;
       if (!is_ready(now.message.state)) continue;
       for (const std::string& channel : need.hears) {

@@ -60,6 +60,7 @@ struct Bars {
   double task_slack = 0.3;  // s, I2: from a TASK_COMMAND to the TASK_STATE that tells of it, by the frame's time
   // Health.
   double silence = 5.0;          // s, I7
+  double no_network = 1.0;       // s without any message: seven services speak at 1 Hz at least
   double status_slack = 2.5;     // s: SERVICE_STATUS comes once a second, a busy machine is late
   double recovery = 15.0;        // s, I8
   double ready_age = 4.0;        // s, I8: ready within so long before the end of that

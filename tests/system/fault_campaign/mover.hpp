@@ -42,10 +42,10 @@ double base_braking(const SimBaseTruth& truth, const Bars& bars);
 
 std::vector<OfferedCommand> offered_to_arm(const Timeline& timeline, const Bars& bars);
 std::vector<OfferedCommand> offered_to_base(const Timeline& timeline, const Bars& bars);
-// `device` as STOP_STATE names it.
 // Whether somebody else than the stack moves the device between `from` and `to` (s, world): one who writes alone, or
 // one of two whom a mover cannot yet know to be two. Each for `moment` s after the word.
 bool moved_by_a_stranger(const Commands& commands, double from, double to, double moment, const Bars& bars);
+// `device` as STOP_STATE names it.
 Commands judged_as_the_mover(const Timeline& timeline, const std::vector<OfferedCommand>& offered, const char* device,
                              const Bars& bars);
 

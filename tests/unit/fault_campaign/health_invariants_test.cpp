@@ -27,6 +27,14 @@ TEST(DeafOrMuteIsNotReady, BreaksForAMuteOneThatSaysReady) {
   EXPECT_TRUE(deaf_or_mute_is_not_ready(forged.timeline(), forged_bars()).broken());
 }
 
+TEST(DeafOrMuteIsNotReady, HoldsNothingAgainstWhoHadNoNetwork) {
+  ForgedHistory forged;
+  forged.still(0.0, 6.0).says(1.0, 6.0, "mark-detector", "ready", "STEREO_FRAME", 10);
+  forged.messages(0.0, 6.0, "MARK_DETECTION", 10.0, 60000);
+  forged.still(16.0, 20.0).says(16.0, 20.0, "mark-detector", "ready", "STEREO_FRAME", 0);
+  EXPECT_FALSE(deaf_or_mute_is_not_ready(forged.timeline(), forged_bars()).broken());
+}
+
 TEST(DeafOrMuteIsNotReady, LetsADeafOneWait) {
   ForgedHistory forged;
   forged.still(0.0, 20.0).says(1.0, 20.0, "mark-detector", "waiting", "STEREO_FRAME", 0);

@@ -87,5 +87,16 @@ TEST(ArrivalOrder, ALaterTimeUnderAUsedNumberIsAnotherWriters) {
   EXPECT_EQ(after_ten().judge(at(3, 105)), Arrival::kDouble);
 }
 
+TEST(ArrivalOrder, OneOfTwoWithOneSessionIsTheWriterAgainWhenTheOtherWithTheHigherNumbersIsGone) {
+  ArrivalOrder order = after_ten();
+  for (int i = 11; i <= 20; ++i) {
+    EXPECT_EQ(order.judge(at(1000 + i, 10 * i)), Arrival::kNext);
+    EXPECT_EQ(order.judge(at(i, 10 * i + 5)), Arrival::kDouble) << "as long as both speak";
+  }
+  EXPECT_EQ(order.judge(at(21, 215)), Arrival::kDouble);
+  EXPECT_EQ(order.judge(at(22, 225)), Arrival::kAnew);
+  EXPECT_EQ(order.judge(at(23, 235)), Arrival::kNext);
+}
+
 }  // namespace
 }  // namespace markservo::motion

@@ -91,8 +91,22 @@ TEST_F(Goals, WhatWasIgnoredDoesNotBeginWhenTheFirstFallsSilent) {
   hear(5, 9, 0.0);
   hear(5, 9, 0.5);
   EXPECT_EQ(hear(6, 1, 0.6), GoalHeard::kSecond);
-  EXPECT_EQ(hear(6, 1, 1.2), GoalHeard::kEnded);
-  EXPECT_FALSE(inbox_.goal()) << "nor is the first one's followed, who has lost the floor";
+  EXPECT_EQ(hear(6, 1, 1.3), GoalHeard::kEnded);
+  EXPECT_EQ(inbox_.goal()->session, 5);
+  EXPECT_FALSE(inbox_.fresh(us(1.3), kAge));
+  EXPECT_EQ(inbox_.second(us(1.3), kAge),
+            "SERVO_GOAL of session 6 was ended, or ignored while another sent: it needs a new goal_id");
+  EXPECT_EQ(hear(6, 2, 1.4), GoalHeard::kNew);
+  EXPECT_EQ(inbox_.second(us(1.4), kAge), "");
+}
+
+TEST_F(Goals, WhoOnlyPausedGoesOnThoughAnIgnoredOneRepeats) {
+  hear(5, 9, 0.0);
+  hear(5, 9, 0.6);
+  for (int i = 0; i < 10; ++i) hear(6, 1, 0.7 + 0.2 * i);
+  EXPECT_EQ(hear(5, 9, 2.6), GoalHeard::kAgain);
+  EXPECT_TRUE(inbox_.fresh(us(2.6), kAge));
+  EXPECT_EQ(hear(6, 1, 2.7), GoalHeard::kSecond);
 }
 
 TEST_F(Goals, ACrowdOfOthersMakesNothingForgotten) {

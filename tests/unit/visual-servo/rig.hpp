@@ -57,7 +57,10 @@ class Rig : public testing::Test {
 
   // One frame; the arm obeys.
   Output frame() {
-    const PoseSample pose = arm_.expose();
+    PoseSample pose = arm_.expose();
+    for (MarkSample& mark : pose.marks) {
+      if (mark.name == "hand") mark.p_C += hand_off_;
+    }
     for (JointSample sample : arm_.take_joint_states()) {
       if (frozen_joint_ >= 0) sample.position[frozen_joint_] = frozen_at_;
       machine_.observe(sample, state_);
@@ -95,7 +98,8 @@ class Rig : public testing::Test {
   PoseSample last_pose_;
   int frozen_joint_ = -1;  // its sensor lies: JOINT_STATE tells frozen_at_ (rad) of it; -1: none
   double frozen_at_ = 0.0;
-  bool sender_lives_ = true;  // the goal is repeated with every frame
+  Eigen::Vector3d hand_off_ = Eigen::Vector3d::Zero();  // m: the hand's mark is seen so far from where it is
+  bool sender_lives_ = true;                            // the goal is repeated with every frame
 };
 
 }  // namespace markservo::visual_servo::test
