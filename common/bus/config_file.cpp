@@ -1,5 +1,6 @@
 #include "common/bus/config_file.hpp"
 
+#include <algorithm>
 #include <istream>
 #include <map>
 #include <string>
@@ -7,10 +8,12 @@
 namespace markservo::bus {
 namespace {
 
-// Up to a '#' that begins the line or comes after a space, without spaces around.
+// Up to a '#' outside of quotes that begins the line or comes after a space, without spaces around.
 std::string without_comment(const std::string& line) {
+  bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '#' && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t')) {
+    if (line[i] == '"') quoted = !quoted;
+    if (!quoted && line[i] == '#' && (i == 0 || line[i - 1] == ' ' || line[i - 1] == '\t')) {
       return CLI::detail::trim_copy(line.substr(0, i));
     }
   }
@@ -41,10 +44,10 @@ std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const 
     line = without_comment(line);
     if (line.empty()) continue;
     const std::size_t equals = line.find('=');
+    const std::string value = equals == std::string::npos ? "true" : CLI::detail::trim_copy(line.substr(equals + 1));
     CLI::ConfigItem item;
     item.name = CLI::detail::trim_copy(line.substr(0, equals));
-    item.inputs = equals == std::string::npos ? std::vector<std::string>{"true"}
-                                              : values_of(CLI::detail::trim_copy(line.substr(equals + 1)));
+    item.inputs = values_of(value);
     const CLI::Option* option = app_->get_option_no_throw("--" + item.name);
     if (option == nullptr || !option->get_configurable()) {
       fail("key '" + item.name + "' is unknown; allowed: the options that --help lists, without their dashes");
@@ -53,9 +56,12 @@ std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const 
     if (!fresh && option->get_items_expected_max() <= 1) {
       fail("key '" + item.name + "' stands twice, first on line " + std::to_string(first->second) + "; allowed: once");
     }
-    if (item.inputs == std::vector<std::string>{""}) continue;  // as --print-config writes what is not set
-    if (!items.empty() && items.back().name == item.name) {
-      items.back().inputs.insert(items.back().inputs.end(), item.inputs.begin(), item.inputs.end());
+    if (value.empty()) fail("key '" + item.name + "' has no value; allowed: one, or no such line");
+    if (value == "\"\"") continue;  // as --print-config writes what is not set
+    const auto earlier =
+        std::find_if(items.begin(), items.end(), [&item](const auto& one) { return one.name == item.name; });
+    if (earlier != items.end()) {
+      earlier->inputs.insert(earlier->inputs.end(), item.inputs.begin(), item.inputs.end());
     } else {
       items.push_back(item);
     }

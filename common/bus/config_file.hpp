@@ -6,7 +6,8 @@
 //   speed=0.5                     send=STOP                        # an option that takes many: a line for each,
 //   quiet                         send=[STOP, TASK_STATE]          # or a list
 //
-// A value may hold spaces, and may stand in quotes; an empty one leaves the option as it is.
+// A value may hold spaces, and may stand in quotes; an empty one in quotes leaves the option as it is. A line is a
+// setting: no list goes over several, and none begins with ';'.
 
 #include <CLI/CLI.hpp>
 #include <iosfwd>

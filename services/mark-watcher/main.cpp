@@ -5,8 +5,7 @@
 #include <markservo/TargetPose.hpp>
 
 #include "common/bus/service.hpp"
-#include "common/robot/configuration_error.hpp"
-#include "common/robot/robot_description.hpp"
+#include "common/robot/require_mark.hpp"
 
 using markservo::LocatedMark;
 using markservo::TargetPose;
@@ -21,11 +20,7 @@ class MarkWatcher : public markservo::bus::Service {
   // Read your files and check your settings here; throw ConfigurationError to end with exit code 2.
   void configure(const std::string& robot_file) override {
     if (only_.empty()) return;
-    const auto robot = markservo::robot::load_robot_description(robot_file);
-    if (robot.find_mark(only_) != nullptr) return;
-    std::string names;
-    for (const auto& mark : robot.marks) names += (names.empty() ? "" : ", ") + mark.name;
-    throw markservo::ConfigurationError("--mark '" + only_ + "': allowed: a mark of " + robot_file + ": " + names);
+    markservo::robot::require_mark(markservo::robot::load_robot_description(robot_file), "--mark", only_, robot_file);
   }
 
   // Subscribe and advertise. on_latest: the newest message wins; on_each: all, in order. need: until it comes, and when

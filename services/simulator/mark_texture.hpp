@@ -18,7 +18,7 @@ struct Texture {
 };
 
 // The print of a mark: hue, saturation and value vary smoothly within the mark's colour interval as `print` allows. The
-// print depends on the mark's name only, so a mark looks the same in every run. edge: 16 to 4096 px.
+// print depends on the mark's name and `edge` only, so a mark looks the same in every run. edge: 16 to 4096 px.
 Texture mark_texture(const robot::MarkDescription& mark, const PrintScene& print, int edge);
 
 // Wallpaper or floor: `colour` with smooth noise of +-`contrast` (0..1) at two scales.

@@ -3,6 +3,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "common/robot/configuration_error.hpp"
+#include "common/robot/require_mark.hpp"
 #include "services/simulator/print_sheet.hpp"
 
 namespace markservo::simulator {
@@ -32,14 +33,10 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
       ->configurable(false);
 }
 
-void write_print_sheet(const PictureOptions& options, const robot::RobotDescription& robot, const Scene& scene) {
-  const robot::MarkDescription* mark = robot.find_mark(options.print_mark);
-  if (mark == nullptr) {
-    std::string names;
-    for (const auto& one : robot.marks) names += (names.empty() ? "" : ", ") + one.name;
-    throw ConfigurationError("--print-mark is '" + options.print_mark + "'; allowed: " + names);
-  }
-  write_picture("--print-to", options.print_to, print_sheet(*mark, scene.print));
+void write_print_sheet(const PictureOptions& options, const robot::RobotDescription& robot,
+                       const std::string& robot_file, const Scene& scene) {
+  const robot::MarkDescription& mark = robot::require_mark(robot, "--print-mark", options.print_mark, robot_file);
+  write_picture("--print-to", options.print_to, print_sheet(mark, scene.print));
 }
 
 void write_snapshot(const PictureOptions& options, const cv::Mat& left, const cv::Mat& right) {

@@ -21,7 +21,8 @@ void add_picture_options(CLI::App& app, PictureOptions& options);
 
 // Writes the sheet with the mark `options.print_mark`. Throws ConfigurationError for a mark that the robot has not, or
 // that fits no sheet, and for a file that cannot be written.
-void write_print_sheet(const PictureOptions& options, const robot::RobotDescription& robot, const Scene& scene);
+void write_print_sheet(const PictureOptions& options, const robot::RobotDescription& robot,
+                       const std::string& robot_file, const Scene& scene);
 
 // Likewise the two pictures side by side to `options.snapshot`.
 void write_snapshot(const PictureOptions& options, const cv::Mat& left, const cv::Mat& right);

@@ -1,6 +1,6 @@
 #pragma once
 
-// A sheet of paper with a mark to cut out and glue on: the print that the simulated world's marks have.
+// A sheet of paper with a mark to cut out and glue on, printed in the manner of the simulated world's.
 
 #include <opencv2/core.hpp>
 #include <string>

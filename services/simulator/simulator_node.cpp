@@ -72,6 +72,7 @@ void SimulatorNode::add_options(CLI::App& app) {
 }
 
 void SimulatorNode::configure(const std::string& robot_file) {
+  robot_file_ = robot_file;
   robot_ = robot::load_robot_description(robot_file);
   scene_ = load_scene(scene_file_, robot_);
   settings_ = default_settings(robot_, scene_, lockstep_);
@@ -95,7 +96,7 @@ std::optional<int> SimulatorNode::run_alone() {
     return bus::kExitStopped;
   }
   if (!pictures_.print_mark.empty()) {
-    write_print_sheet(pictures_, robot_, scene_);
+    write_print_sheet(pictures_, robot_, robot_file_, scene_);
     return bus::kExitStopped;
   }
   if (pictures_.snapshot.empty()) return std::nullopt;

@@ -74,6 +74,7 @@ class SimulatorNode : public bus::Service {
   PictureOptions pictures_;
   bool list_settings_ = false;
 
+  std::string robot_file_;
   robot::RobotDescription robot_;
   Scene scene_;
   Settings settings_;

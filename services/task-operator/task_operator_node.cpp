@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 
+#include "common/bus/number_options.hpp"
 #include "common/messages/motion_messages.hpp"
 #include "common/messages/state_codes.hpp"
 #include "common/motion/mover_watch.hpp"
@@ -70,7 +71,7 @@ void TaskOperatorNode::add_options(CLI::App& app) {
   app.add_flag("--carry", carry_, "start: carry the object to the side, release it there and go home");
   app.add_option("--source", source_, "stop, reset: who asks, for the logs")->capture_default_str();
   app.add_option("--patience", parameters_.patience, "How long to wait for an answer, s")
-      ->check(CLI::PositiveNumber)
+      ->check(bus::Within(0.1, 3600.0))
       ->capture_default_str();
   app.footer(
       "Exit codes: 0 lifted, done, stopped or released; 1 refused, failed or stopped, and why; 2 bad "

@@ -15,7 +15,10 @@ namespace {
 
 class OneSetting : public Service {
  public:
-  void add_options(CLI::App& app) override { app.add_option("--gain", gain, "A gain")->capture_default_str(); }
+  void add_options(CLI::App& app) override {
+    app.add_option("--gain", gain, "A gain")->capture_default_str();
+    app.add_option("--word", words, "Words");
+  }
   void configure(const std::string&) override {
     if (gain < 0.0) throw ConfigurationError("gain is negative; allowed: 0 or more");
   }
@@ -26,6 +29,7 @@ class OneSetting : public Service {
   }
   void run(Bus& bus) override { state = bus.status().state; }
   double gain = 0.5;
+  std::vector<std::string> words;
   bool waits = false;
   bool started = false;
   std::string state;
@@ -99,6 +103,18 @@ TEST_F(ServiceMain, RefusesAKeyThatStandsTwice) {
       << errors_;
 }
 
+TEST_F(ServiceMain, RefusesAKeyWithoutAValue) {
+  write_config("gain=\n");
+  EXPECT_EQ(run({"--config", file_.string()}), kExitBadConfiguration);
+  EXPECT_NE(errors_.find("line 1: key 'gain' has no value"), std::string::npos) << errors_;
+}
+
+TEST_F(ServiceMain, GathersTheValuesOfAnOptionThatTakesMany) {
+  write_config("word=one\ngain=0.25\nword=two\nword=[three, four]\n");
+  EXPECT_EQ(run({"--config", file_.string(), "--check"}), kExitStopped);
+  EXPECT_EQ(service_.words, (std::vector<std::string>{"one", "two", "three", "four"}));
+}
+
 TEST_F(ServiceMain, TakesAPathWithSpacesFromItsConfigFile) {
   write_config("robot-file=/home of/my robot.yaml   # mine\n");
   EXPECT_EQ(run({"--config", file_.string(), "--print-config"}), kExitStopped);
@@ -106,7 +122,7 @@ TEST_F(ServiceMain, TakesAPathWithSpacesFromItsConfigFile) {
 }
 
 TEST_F(ServiceMain, ReadsTheSettingsThatItPrints) {
-  write_config("gain=0.25\nrobot-file=/home of/my robot.yaml\n");
+  write_config("gain=0.25\nrobot-file=\"/home of/my #1/robot.yaml\"   # mine\n");
   run({"--config", file_.string(), "--print-config"});
   const std::string printed = output_;
   write_config(printed);

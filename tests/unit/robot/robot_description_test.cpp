@@ -74,6 +74,11 @@ TEST_F(RobotFile, WithASecondDocumentIsRefused) {
   EXPECT_NE(refusal().find("holds 2 YAML documents; allowed: one"), std::string::npos) << refusal();
 }
 
+TEST_F(RobotFile, WithAnAliasWithinItselfIsRefused) {
+  text_ += "\nloop: &loop [*loop]\n";
+  EXPECT_NE(refusal().find("within itself"), std::string::npos) << refusal();
+}
+
 TEST_F(RobotFile, WithAMisspeltJointIsRefused) {
   change("name: shoulder", "name: sholder");
   EXPECT_NE(refusal().find("'arm.joints[1].name' is 'sholder'; allowed: shoulder"), std::string::npos) << refusal();

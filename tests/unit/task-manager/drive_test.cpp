@@ -33,18 +33,6 @@ TEST(Drive, BringsTheRobotToTheDockAndThenTheBookIsTaken) {
   EXPECT_EQ(robot.last().result, Result::kLifted);
 }
 
-TEST(Drive, OffTheFloorsTagsIsRefusedAtOnceWithWhatIsAllowed) {
-  for (const geometry::PlanePose& pose : {geometry::PlanePose{5.0, 5.0, 0.0}, {0.2, -3.0, -M_PI / 2}}) {
-    FakeRobot robot = robot_before_the_dock();
-    robot.send_drive(pose);
-    ASSERT_TRUE(robot.run_until(Phase::kRefused, 1.0)) << robot.last().reason;
-    EXPECT_NE(robot.last().reason.find("allowed on field course: x -0.10 to 0.50 m, y -0.10 to 1.20 m"),
-              std::string::npos)
-        << robot.last().reason;
-    EXPECT_EQ(robot.way_of_base(), 0.0);
-  }
-}
-
 TEST(Drive, SendsTheCommandedPoseInTheWorld) {
   FakeRobot robot = robot_before_the_dock();
   robot.send_drive(kDock);
