@@ -71,6 +71,8 @@ class FakeRobot {
   double way_of_base() const { return way_of_base_; }  // m, all that it ever drove
   // What a base may not do: "" or how the arm stood while it drove, or in which phase.
   const std::string& reckless() const { return reckless_; }
+  // So long no frame comes, and the robot stands.
+  void blind_for(double seconds) { utime_ += static_cast<std::int64_t>(1e6 * seconds); }
   double seconds() const { return 1e-6 * static_cast<double>(utime_); }
 
  private:
