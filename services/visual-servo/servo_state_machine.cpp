@@ -234,10 +234,6 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
   }
 }
 
-void ServoStateMachine::hold(State& state) const {
-  state.last_step.setZero();
-}
-
 void ServoStateMachine::slow_down(State& state) const {
   if (state.last_step.isZero()) return;
   state.waiting += state.seconds;
