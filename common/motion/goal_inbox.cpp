@@ -74,7 +74,10 @@ bool GoalInbox::floor_is_free(std::int64_t now, double age) const {
 }
 
 GoalHeard GoalInbox::ended(const GoalStamp& goal, std::int64_t now, bool latched) {
-  if (!latched) ended_ = Second{goal.session, now};
+  const bool ignored = std::any_of(ignored_.begin(), ignored_.end(), [&goal](const Sender& sender) {
+    return sender.session == goal.session && goal.id <= sender.last_id;
+  });
+  if (ignored && !latched) in_vain_ = Second{goal.session, now};
   return GoalHeard::kEnded;
 }
 
@@ -119,10 +122,10 @@ std::string GoalInbox::two() const {
 
 std::string GoalInbox::second(std::int64_t now, double age) const {
   if (!second_ || !within(age, second_->heard_at, now)) {
-    const bool in_vain = ended_ && within(age, ended_->heard_at, now) && !fresh(now, age);
+    const bool in_vain = in_vain_ && within(age, in_vain_->heard_at, now) && !fresh(now, age);
     if (!in_vain) return "";
-    return channel_ + " of session " + std::to_string(ended_->session) +
-           " was ended, or ignored while another sent: it needs a new goal_id";
+    return channel_ + " of session " + std::to_string(in_vain_->session) +
+           " was ignored while another sent: it needs a new goal_id";
   }
   return "a second one sends " + channel_ + ": session " + std::to_string(second_->session) + " is not obeyed, " +
          std::to_string(holder_) + " is";

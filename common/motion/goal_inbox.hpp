@@ -56,8 +56,8 @@ class GoalInbox {
 
   // Which two send: of a contested floor.
   std::string two() const;
-  // "a second one sends SERVO_GOAL: session 34 is not obeyed, 12 is"; or that one repeats in vain what was ended, while
-  // none is followed; empty when none did in the last `age` s.
+  // "a second one sends SERVO_GOAL: session 34 is not obeyed, 12 is"; or that one repeats in vain what was ignored,
+  // while none is followed; empty when none did in the last `age` s.
   std::string second(std::int64_t now, double age) const;
 
  private:
@@ -85,7 +85,7 @@ class GoalInbox {
   bool holder_is_first_ = false;      // nobody had the floor before it
   bool contested_ = false;
   std::optional<Second> second_;
-  std::optional<Second> ended_;  // who last repeated what was ended
+  std::optional<Second> in_vain_;  // who last repeated what was ignored
 };
 
 }  // namespace markservo::motion
