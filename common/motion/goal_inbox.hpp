@@ -70,10 +70,7 @@ class GoalInbox {
     std::int64_t heard_at = 0;  // us, of now
   };
 
-  bool has_floor(const GoalStamp& goal, std::int64_t now, double age, bool nothing_new);
-  bool floor_is_free(std::int64_t now, double age) const;
-  GoalHeard ended(const GoalStamp& goal, std::int64_t now, bool latched);
-  bool heard_before(const GoalStamp& goal) const;
+  void take_floor(std::int64_t session, std::int64_t now);
 
   std::string channel_;
   std::optional<GoalStamp> goal_;
