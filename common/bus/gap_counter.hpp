@@ -15,28 +15,27 @@ inline constexpr int64_t kMaxLost = int64_t{1} << 53;
 // not.
 class GapCounter {
  public:
-  // `seq`: any number; one outside of 0 to kMaxLost is no seq.
-  void observe(int64_t seq) {
-    if (seq < 0 || seq > kMaxLost) return;
+  // `seq`: any number; one outside of 0 to kMaxLost is no seq. How many it shows to be missing; 0 to kMaxGap.
+  int64_t observe(int64_t seq) {
+    if (seq < 0 || seq > kMaxLost) return 0;
     if (newest_ < 0 || seq == newest_ + 1) {
       newest_ = seq;
       // What stood ahead came before its turn only; what is further ahead the writer itself has denied.
       if (ahead_ && *ahead_ == newest_ + 1) newest_ = *ahead_;
       ahead_.reset();
-      return;
+      return 0;
     }
-    if (seq <= newest_ && newest_ - seq <= kFar) return;
-    if (ahead_ && seq > *ahead_ && seq - *ahead_ <= kFar) {
-      lost_ = std::min(lost_ + std::clamp<int64_t>(*ahead_ - newest_ - 1, 0, kMaxGap), kMaxLost);
-      newest_ = *ahead_;
+    if (seq <= newest_ && newest_ - seq <= kFar) return 0;
+    if (!ahead_ || seq <= *ahead_ || seq - *ahead_ > kFar) {
       ahead_ = seq;
-      if (seq == newest_ + 1) observe(seq);
-      return;
+      return 0;
     }
+    const int64_t missing = std::clamp<int64_t>(*ahead_ - newest_ - 1, 0, kMaxGap);
+    newest_ = *ahead_;
     ahead_ = seq;
+    if (seq == newest_ + 1) observe(seq);
+    return missing;
   }
-
-  int64_t lost() const { return lost_; }
 
  private:
   static constexpr int64_t kFar = 100;  // messages; what is farther from another does not go on from it
@@ -46,7 +45,6 @@ class GapCounter {
 
   int64_t newest_ = -1;
   std::optional<int64_t> ahead_;  // not where the next was expected, and nothing has gone on from it yet
-  int64_t lost_ = 0;
 };
 
 }  // namespace markservo::bus

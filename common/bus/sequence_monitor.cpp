@@ -15,10 +15,9 @@ void SequenceMonitor::observe(int64_t session, int64_t seq) {
   }
   if (session != session_) {
     session_ = session;
-    lost_earlier_ = lost();
     gaps_ = GapCounter();
   }
-  gaps_.observe(seq);
+  lost_ = std::min(lost_ + gaps_.observe(seq), kMaxLost);
 }
 
 }  // namespace markservo::bus

@@ -16,7 +16,7 @@ class SequenceMonitor {
   void observe(int64_t session, int64_t seq);
 
   // Gaps within each session, as GapCounter finds them.
-  int64_t lost() const { return std::min(lost_earlier_ + gaps_.lost(), kMaxLost); }
+  int64_t lost() const { return lost_; }
   // Until one alone has sent kForgotten messages.
   bool second_writer() const { return second_writer_; }
   // True if the newest message began another session than the one before it.
@@ -27,8 +27,8 @@ class SequenceMonitor {
   static constexpr int kForgotten = 500;          // messages of one session in a row: 5 s of the quickest stream
 
   int64_t session_ = 0;
-  GapCounter gaps_;           // of the present session
-  int64_t lost_earlier_ = 0;  // of those before
+  GapCounter gaps_;  // of the present session
+  int64_t lost_ = 0;
   bool second_writer_ = false;
   int in_a_row_ = 0;  // of the present session
   bool session_changed_ = false;

@@ -23,6 +23,14 @@ bool within(double age, std::int64_t from, std::int64_t to) {
   return std::abs(seconds_between(from, to)) <= age;
 }
 
+// Whether so much was heard of the goal's sender already.
+template <class Senders>
+bool knows(const Senders& senders, const GoalStamp& goal) {
+  return std::any_of(senders.begin(), senders.end(), [&goal](const auto& sender) {
+    return sender.session == goal.session && goal.id <= sender.last_id;
+  });
+}
+
 // `id` of `session` was heard: what is not above it is nothing new.
 template <class Senders>
 void remember(std::int64_t session, std::int64_t id, Senders& senders) {
@@ -44,12 +52,20 @@ GoalHeard GoalInbox::hear(const GoalStamp& goal, std::int64_t now, double age, b
   const std::int64_t moment = now != 0 ? now : goal.utime;
   const bool second_spoke = second_.has_value() && second_->session != goal.session;
   const bool again = goal_ && goal.session == goal_->session && goal.id == goal_->id;
-  const bool nothing_new = !again && heard_before(goal);
-  if (!has_floor(goal, moment, age, nothing_new)) {
-    if (floor_is_free(moment, age)) return ended(goal, moment, latched);
-    remember(goal.session, goal.id, ignored_);
-    return GoalHeard::kSecond;
+  const bool ignored_before = knows(ignored_, goal);
+  const bool nothing_new = !again && (ignored_before || knows(senders_, goal));
+  if (goal.session != holder_) {
+    holder_heard_at_ = std::min(holder_heard_at_, moment);  // a clock that went back
+    if (holder_ != 0 && seconds_between(holder_heard_at_, moment) <= age) {
+      second_ = Second{goal.session, moment};
+      remember(goal.session, goal.id, ignored_);
+      return GoalHeard::kSecond;
+    }
+    if (!nothing_new) take_floor(goal.session, moment);
   }
+  if (nothing_new && ignored_before && !latched) in_vain_ = Second{goal.session, moment};
+  if (goal.session != holder_) return GoalHeard::kEnded;
+  holder_heard_at_ = moment;
   // Both spoke before either had repeated itself for long: nobody knows who was first.
   const bool unknown_first = holder_is_first_ && second_spoke && within(age, holder_since_, moment);
   // Nor after a reset, until one has been silent for long enough.
@@ -62,45 +78,19 @@ GoalHeard GoalInbox::hear(const GoalStamp& goal, std::int64_t now, double age, b
     if (fresher(goal.utime, goal_->utime, now)) goal_->utime = goal.utime;
     return GoalHeard::kAgain;
   }
-  if (nothing_new) return ended(goal, moment, latched);
+  if (nothing_new) return GoalHeard::kEnded;
   remember(goal.session, goal.id, senders_);
   if (latched) return GoalHeard::kEnded;
   goal_ = goal;
   return GoalHeard::kNew;
 }
 
-bool GoalInbox::floor_is_free(std::int64_t now, double age) const {
-  return holder_ == 0 || seconds_between(holder_heard_at_, now) > age;
-}
-
-GoalHeard GoalInbox::ended(const GoalStamp& goal, std::int64_t now, bool latched) {
-  if (!latched) ended_ = Second{goal.session, now};
-  return GoalHeard::kEnded;
-}
-
-bool GoalInbox::has_floor(const GoalStamp& goal, std::int64_t now, double age, bool nothing_new) {
-  if (goal.session != holder_) {
-    holder_heard_at_ = std::min(holder_heard_at_, now);  // a clock that went back
-    if (!floor_is_free(now, age)) {
-      second_ = Second{goal.session, now};
-      return false;
-    }
-    if (nothing_new) return false;
-    if (goal_ && goal_->session != goal.session) end();
-    holder_is_first_ = holder_ == 0;
-    holder_ = goal.session;
-    holder_since_ = now;
-    second_.reset();
-  }
-  holder_heard_at_ = now;
-  return true;
-}
-
-bool GoalInbox::heard_before(const GoalStamp& goal) const {
-  const auto known = [&goal](const Sender& sender) {
-    return sender.session == goal.session && goal.id <= sender.last_id;
-  };
-  return std::any_of(senders_.begin(), senders_.end(), known) || std::any_of(ignored_.begin(), ignored_.end(), known);
+void GoalInbox::take_floor(std::int64_t session, std::int64_t now) {
+  if (goal_ && goal_->session != session) end();
+  holder_is_first_ = holder_ == 0;
+  holder_ = session;
+  holder_since_ = now;
+  second_.reset();
 }
 
 bool GoalInbox::end_unless_fresh(std::int64_t now, double age) {
@@ -119,10 +109,10 @@ std::string GoalInbox::two() const {
 
 std::string GoalInbox::second(std::int64_t now, double age) const {
   if (!second_ || !within(age, second_->heard_at, now)) {
-    const bool in_vain = ended_ && within(age, ended_->heard_at, now) && !fresh(now, age);
+    const bool in_vain = in_vain_ && within(age, in_vain_->heard_at, now) && !fresh(now, age);
     if (!in_vain) return "";
-    return channel_ + " of session " + std::to_string(ended_->session) +
-           " was ended, or ignored while another sent: it needs a new goal_id";
+    return channel_ + " of session " + std::to_string(in_vain_->session) +
+           " was ignored while another sent: it needs a new goal_id";
   }
   return "a second one sends " + channel_ + ": session " + std::to_string(second_->session) + " is not obeyed, " +
          std::to_string(holder_) + " is";

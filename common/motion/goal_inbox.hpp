@@ -56,8 +56,8 @@ class GoalInbox {
 
   // Which two send: of a contested floor.
   std::string two() const;
-  // "a second one sends SERVO_GOAL: session 34 is not obeyed, 12 is"; or that one repeats in vain what was ended, while
-  // none is followed; empty when none did in the last `age` s.
+  // "a second one sends SERVO_GOAL: session 34 is not obeyed, 12 is"; or that one repeats in vain what was ignored,
+  // while none is followed; empty when none did in the last `age` s.
   std::string second(std::int64_t now, double age) const;
 
  private:
@@ -70,10 +70,7 @@ class GoalInbox {
     std::int64_t heard_at = 0;  // us, of now
   };
 
-  bool has_floor(const GoalStamp& goal, std::int64_t now, double age, bool nothing_new);
-  bool floor_is_free(std::int64_t now, double age) const;
-  GoalHeard ended(const GoalStamp& goal, std::int64_t now, bool latched);
-  bool heard_before(const GoalStamp& goal) const;
+  void take_floor(std::int64_t session, std::int64_t now);
 
   std::string channel_;
   std::optional<GoalStamp> goal_;
@@ -85,7 +82,7 @@ class GoalInbox {
   bool holder_is_first_ = false;      // nobody had the floor before it
   bool contested_ = false;
   std::optional<Second> second_;
-  std::optional<Second> ended_;  // who last repeated what was ended
+  std::optional<Second> in_vain_;  // who last repeated what was ignored
 };
 
 }  // namespace markservo::motion

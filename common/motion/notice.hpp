@@ -2,7 +2,6 @@
 
 // What a reader tells of others beside its own state.
 
-#include <cstdint>
 #include <string>
 
 #include "common/motion/goal_inbox.hpp"

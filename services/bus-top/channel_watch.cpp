@@ -35,9 +35,8 @@ void ChannelWatch::follow(std::int64_t session, std::int64_t seq, double now) {
   }
   Writer& writer = writers_[session];
   writer.heard = now;
-  const int64_t before = writer.gaps.lost();
-  writer.gaps.observe(seq);
-  if (lost_) lost_ = std::min(*lost_ + writer.gaps.lost() - before, bus::kMaxLost);
+  const int64_t missing = writer.gaps.observe(seq);
+  if (lost_) lost_ = std::min(*lost_ + missing, bus::kMaxLost);
 }
 
 ChannelFigures ChannelWatch::figures(double now) const {

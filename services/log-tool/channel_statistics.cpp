@@ -86,9 +86,7 @@ class ChannelStatistics {
     if (first) ++summary_.sessions;
     if (!first && utime < record.utime) ++summary_.time_reversals;
     record.utime = utime;
-    const std::int64_t before = record.gaps.lost();
-    record.gaps.observe(seq);
-    summary_.lost = std::min(*summary_.lost + record.gaps.lost() - before, bus::kMaxLost);
+    summary_.lost = std::min(*summary_.lost + record.gaps.observe(seq), bus::kMaxLost);
   }
 
   const reflection::TypeCatalog& catalog_;

@@ -7,8 +7,6 @@
 namespace markservo::task_manager {
 namespace {
 
-constexpr std::int64_t kPause_us = 500'000;  // goals have aged by then
-
 std::string with_reason(const std::string& text, const std::string& reason) {
   return reason.empty() ? text : text + ": " + reason;
 }
@@ -34,14 +32,6 @@ DriveReport silence(const BaseReport* answer, double timeout) {
 
 DriveReport watch_drive(std::int64_t goal_id, const Input& input, const DriveParameters& parameters,
                         DriveProgress& progress) {
-  // While the procedure's own frames were missing it repeated no goal: the base had to hold, and could not tell more.
-  const std::int64_t pause = input.utime - progress.watched;
-  if (pause > kPause_us) {
-    progress.answered += pause;
-    progress.driving += pause;
-  }
-  progress.watched = input.utime;
-
   const BaseReport* answer = input.base && input.base->goal_id == goal_id ? &*input.base : nullptr;
   // One that has fallen silent leaves its last word behind.
   if (answer != nullptr && seconds_between(answer->utime, input.utime) > parameters.silent_timeout) answer = nullptr;

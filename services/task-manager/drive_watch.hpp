@@ -14,12 +14,11 @@ struct DriveProgress {
   std::int64_t since = 0;     // us, when the goal was first sent
   std::int64_t answered = 0;  // us, when base-navigator last could say how the goal stands
   std::int64_t driving = 0;   // us, when nothing last was in its way
-  std::int64_t watched = 0;   // us, when the drive was last watched
 };
 
 // The progress of a goal that is sent at `utime` (us).
 inline DriveProgress begin_of_drive(std::int64_t utime) {
-  return {utime, utime, utime, utime};
+  return {utime, utime, utime};
 }
 
 enum class DriveState {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "services/task-manager/drive_field.hpp"
@@ -50,10 +51,28 @@ void ProcedureStep::run() {
   out_.command_id = s_.inbox.id();
 }
 
+// While no SERVO_STATUS came no goal was repeated: arm and base had to hold, and nobody is late by that time.
+void ProcedureStep::pass_over(std::int64_t pause_us) {
+  for (std::int64_t* time : {&s_.since, &s_.seen_utime, &s_.move_progress.since, &s_.drive.progress.since,
+                             &s_.drive.progress.answered, &s_.drive.progress.driving}) {
+    *time += pause_us;
+  }
+  for (auto* time : {&s_.lost_since, &s_.stale_since, &s_.stopped_since, &s_.unheard_since, &s_.move_progress.there}) {
+    if (*time) **time += pause_us;
+  }
+  if (!under_way(s_.phase)) return;
+  char text[96];
+  std::snprintf(text, sizeof text, "nothing came from visual-servo for %.1f s: the task goes on from there",
+                1e-6 * static_cast<double>(pause_us));
+  out_.notices.emplace_back(text);
+}
+
 // All that is timed would wait for the old time to come again.
 void ProcedureStep::watch_the_clock() {
   constexpr double kStep_s = 1.0;
+  constexpr std::int64_t kPause_us = 500'000;  // goals have aged by then
   const std::int64_t before = std::exchange(s_.utime, in_.utime);
+  if (before != 0 && in_.utime - before > kPause_us) pass_over(in_.utime - before);
   if (seconds_between(in_.utime, before) <= kStep_s) return;
   s_.lost_since.reset();
   s_.stale_since.reset();

@@ -18,6 +18,7 @@ class ProcedureStep {
 
  private:
   void watch_the_clock();
+  void pass_over(std::int64_t pause_us);
   void watch_the_arm();
   void watch_the_stop_devices();
   void watch_the_servo();

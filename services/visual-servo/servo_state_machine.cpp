@@ -18,9 +18,10 @@ namespace {
 
 constexpr double kNominalFrame_s = 1.0 / 30.0;
 constexpr double kShortestFrame_s = 1.0 / 120.0;
-constexpr double kLongestFrame_s = 0.1;   // a longer gap must not become a longer step
-constexpr double kRampReserve = 1.05;     // ramps end a little before the next command
-constexpr double kSlowestRamp = 0.2;      // rad/s
+constexpr double kLongestFrame_s = 0.1;  // a longer gap must not become a longer step
+constexpr double kStands_s = 0.3;        // without a command, by then the arm stands: nothing is left to slow down from
+constexpr double kRampReserve = 1.05;    // ramps end a little before the next command
+constexpr double kSlowestRamp = 0.2;     // rad/s
 constexpr double kNegligibleStep = 1e-4;  // rad
 constexpr double kPlaceKnown_s = 0.03;  // of agreeing joint states after a leap, before the arm is taken where they say
 
@@ -150,6 +151,7 @@ void ServoStateMachine::advance_time(const PoseSample& pose, State& state) const
     state.sight = SightState();
     state.pose_utime = pose.utime;
   } else if (pose.utime > state.pose_utime) {
+    if (seconds_between(state.pose_utime, pose.utime) > kStands_s) hold(state);
     state.seconds = std::clamp(seconds_between(state.pose_utime, pose.utime), kShortestFrame_s, kLongestFrame_s);
     state.pose_utime = pose.utime;
   }
@@ -230,10 +232,6 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
       slow_down(state);
       break;
   }
-}
-
-void ServoStateMachine::hold(State& state) const {
-  state.last_step.setZero();
 }
 
 void ServoStateMachine::slow_down(State& state) const {

@@ -92,7 +92,7 @@ class ServoStateMachine {
   std::string why_stale(const PoseSample& pose, const State& state) const;
   std::string why_goal_is_stale(const State& state) const;
   void follow_goal(const PoseSample& pose, State& state, Status& status) const;
-  void hold(State& state) const;
+  void hold(State& state) const { state.last_step.setZero(); }
   void slow_down(State& state) const;
   void move(const JointVector& step, bool at_once, bool streaming, State& state, Status& status) const;
   void move_to_posture(State& state, Status& status) const;

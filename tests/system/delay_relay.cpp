@@ -147,7 +147,7 @@ class Relay {
   std::array<int, 2> ends_;
   std::vector<char> buffer_ = std::vector<char>(kLargestDatagram);
   std::mt19937_64 random_{kSeed};
-  std::map<std::string, int> heard_;                               // by channel
+  std::map<std::string, int> heard_;                             // by channel
   std::multimap<steady_clock::time_point, Datagram> under_way_;  // by when they are due
 };
 

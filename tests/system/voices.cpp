@@ -1,7 +1,7 @@
 // What a robot does when others speak in its bus; for tests.
 //   voices two-senders   two programs each give the arm and the base goals of their own, at 5 Hz, the second begins
-//                        later. Says how often what moves changed from one to the other, and when the second was
-//                        named. The robot must be released
+//                        later. Says how often what moves changed from one to the other, and after how many of its
+//                        goals the second was named. The robot must be released
 //   voices rest          listens; says whether the simulator that speaks first was released and how far it moved
 // Each says it in one line of JSON.
 
@@ -105,7 +105,7 @@ struct Followed {
   std::int64_t session = 0;
   int changes = 0;
   std::set<std::int64_t> all;
-  std::optional<double> named_s;  // since the second began, until its SERVICE_STATUS named it
+  std::optional<int> named_after;  // goals of the second, until its SERVICE_STATUS named it
 
   void hear(std::int64_t goal_session) {
     if (goal_session == 0) return;
@@ -114,8 +114,8 @@ struct Followed {
     all.insert(goal_session);
   }
   nlohmann::json json() const {
-    nlohmann::json result = {{"changes", changes}, {"followed", all.size()}, {"named_s", nullptr}};
-    if (named_s) result["named_s"] = *named_s;
+    nlohmann::json result = {{"changes", changes}, {"followed", all.size()}, {"named_after", nullptr}};
+    if (named_after) result["named_after"] = *named_after;
     return result;
   }
 };
@@ -126,7 +126,7 @@ int send_goals(double seconds, double head_start) {
   GoalSender second("second-sender", -1.0);
   Robot robot;
   std::map<std::string, Followed> followed{{"visual-servo", {}}, {"base-navigator", {}}};
-  std::optional<steady_clock::time_point> second_began;
+  int second_sent = 0;
   bus.on_each(channels::kJointState, [&](const JointState& joints) { robot.joints = joints; });
   bus.on_each(channels::kWheelOdometry, [&](const WheelOdometry& wheels) { robot.wheels = wheels; });
   bus.on_each(channels::kServoStatus,
@@ -135,9 +135,9 @@ int send_goals(double seconds, double head_start) {
               [&](const BaseStatus& status) { followed["base-navigator"].hear(status.goal_session); });
   bus.on_each(channels::kServiceStatus, [&](const ServiceStatus& status) {
     const auto mover = followed.find(status.name);
-    if (mover == followed.end() || !second_began || mover->second.named_s) return;
+    if (mover == followed.end() || second_sent == 0 || mover->second.named_after) return;
     if (status.reason.find(std::to_string(second.session())) == std::string::npos) return;
-    mover->second.named_s = std::chrono::duration<double>(steady_clock::now() - *second_began).count();
+    mover->second.named_after = second_sent;
   });
   const auto asked = steady_clock::now();
   std::optional<steady_clock::time_point> began;
@@ -154,7 +154,7 @@ int send_goals(double seconds, double head_start) {
     first.send(robot);
     if (!began) began = steady_clock::now();
     if (since(*began) < head_start) continue;
-    if (!second_began) second_began = steady_clock::now();
+    ++second_sent;
     second.send(robot);
   }
   if (!robot.start) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "tests/system/fault_campaign/words.hpp"
+
 namespace markservo::campaign {
 namespace {
 
@@ -24,6 +26,12 @@ double way_between(const SimBaseTruth& a, const SimBaseTruth& b) {
 
 double turn_between(const SimBaseTruth& a, const SimBaseTruth& b) {
   return std::abs(std::remainder(b.pose.heading - a.pose.heading, 2.0 * std::acos(-1.0)));
+}
+
+std::string base_moved(const SimBaseTruth& a, const SimBaseTruth& b, double most_m, double most_rad) {
+  const double way = way_between(a, b);
+  const double turn = turn_between(a, b);
+  return way <= most_m && turn <= most_rad ? "" : text("moved %.4f m and %.4f rad", way, turn);
 }
 
 bool ShaftsAround::distance(std::int64_t t, std::size_t i, double angle, double& distance) const {

@@ -3,6 +3,7 @@
 // True motion between two of the simulator's stamps.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "tests/system/fault_campaign/timeline.hpp"
@@ -34,6 +35,8 @@ double farthest_joint(const std::vector<double>& a, const std::vector<double>& b
 double way_between(const SimBaseTruth& a, const SimBaseTruth& b);
 // rad, between their headings, 0 to pi.
 double turn_between(const SimBaseTruth& a, const SimBaseTruth& b);
+// "moved 0.0031 m and 0.0200 rad" from `a` to `b`; empty where it is no more than `most_m` and `most_rad`.
+std::string base_moved(const SimBaseTruth& a, const SimBaseTruth& b, double most_m, double most_rad);
 // Whether `next` goes on with the world of `last`: same simulator, no reset between them.
 bool same_world(const SimTruth& last, const SimTruth& next);
 

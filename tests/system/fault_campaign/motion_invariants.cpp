@@ -85,12 +85,10 @@ void judge_base_latches(const Timeline& timeline, const Bars& bars, Verdict& ver
         rest = &truth;
         ++verdict.judged;
       }
-      const double way = way_between(rest->message, truth.message);
-      const double turn = turn_between(rest->message, truth.message);
-      if (way > bars.base_still_m || turn > bars.base_still_rad) {
+      const std::string moved = base_moved(rest->message, truth.message, bars.base_still_m, bars.base_still_rad);
+      if (!moved.empty()) {
         note(verdict, truth.t,
-             text("latched since %.2f s (world), and the base moved %.4f m and %.4f rad by %.2f s", latch.from, way,
-                  turn, truth.world));
+             text("latched since %.2f s (world), and the base %s by %.2f s", latch.from, moved.c_str(), truth.world));
         break;
       }
     }
@@ -158,24 +156,41 @@ double newest_goal(const std::vector<const Heard<M>*>& goals, double end) {
   return newest;
 }
 
-// A goal is obeyed while it is young enough, its last command a little longer, and then there is the braking, from the
-// speed at which the arm or the base truly moved then.
+// Until when a motion may go on: a goal is obeyed while it is young enough, its last command a little longer, and then
+// there is the braking, from the speed at which the arm or the base truly moved then.
+class MotionByGoal {
+ public:
+  explicit MotionByGoal(const Bars& bars) : age_(bars.goal_age + bars.command_age) {}
+
+  // Whether the step from `from` to `to` (s, world) may be. To be asked of each step. `goal`: s, world, the newest
+  // one's; below 0: none. `braking`: s, from this step's speed.
+  bool may(double goal, double from, double to, double braking) {
+    const double expired = goal + age_;
+    if (goal != braked_for_ && to >= expired) {
+      braked_for_ = goal;
+      braked_ = expired + braking;
+    }
+    return goal >= 0.0 && (from <= expired || (braked_for_ == goal && from <= braked_));
+  }
+
+ private:
+  double age_;
+  double braked_ = 0.0;       // s, world: when it stands
+  double braked_for_ = -2.0;  // after that goal
+};
+
 void judge_arm_motion(const Timeline& timeline, const Bars& bars, Verdict& verdict) {
   const auto offered = offered_to_arm(timeline, bars);
   const Commands commands = judged_as_the_mover(timeline, offered, "arm", bars);
   const auto goals = legal_goals(timeline, timeline.servo_goals, ServoGoal::HOLD, bars.goal_age);
-  double braked = 0.0;  // s, world: when it stands by, after the newest goal
-  double braked_for = -2.0;
+  MotionByGoal motion(bars);
   for (const ArmStep& step : arm_steps(timeline)) {
     const double goal = newest_goal(goals, step.to->world);
-    const double expired = goal + bars.goal_age + bars.command_age;
-    if (goal != braked_for && step.to->world >= expired) {
-      braked_for = goal;
-      braked = expired + bars.arm_settles + step.speed / bars.arm_deceleration;
-    }
+    const double braking = bars.arm_settles + step.speed / bars.arm_deceleration;
+    const bool may = motion.may(goal, step.from->world, step.to->world, braking);
     if (step.speed <= bars.arm_moves_rad_s) continue;
     ++verdict.judged;
-    if (goal >= 0.0 && (step.from->world <= expired || (braked_for == goal && step.from->world <= braked))) continue;
+    if (may) continue;
     if (moved_by_a_stranger(commands, step.from->world, step.to->world, bars.command_age + bars.arm_braking, bars))
       continue;
     note(verdict, step.to->t,
@@ -188,19 +203,15 @@ void judge_base_motion(const Timeline& timeline, const Bars& bars, Verdict& verd
   const auto offered = offered_to_base(timeline, bars);
   const Commands commands = judged_as_the_mover(timeline, offered, "base", bars);
   const auto goals = legal_goals(timeline, timeline.base_goals, BaseGoal::HOLD, bars.goal_age);
-  double braked = 0.0;
-  double braked_for = -2.0;
+  MotionByGoal motion(bars);
   for (const BaseStep& step : base_steps(timeline)) {
     const double goal = newest_goal(goals, step.to->world);
-    const double expired = goal + bars.goal_age + bars.command_age;
-    if (goal != braked_for && step.to->world >= expired) {
-      braked_for = goal;
-      braked = expired + base_braking(step.to->message, bars);
-    }
+    const double braking = base_braking(step.to->message, bars);
+    const bool may = motion.may(goal, step.from->world, step.to->world, braking);
     if (step.speed <= bars.base_moves_m_s && step.turn_rate <= bars.base_turns_rad_s) continue;
     ++verdict.judged;
-    if (goal >= 0.0 && (step.from->world <= expired || (braked_for == goal && step.from->world <= braked))) continue;
-    const double moment = bars.command_age + base_braking(step.to->message, bars);
+    if (may) continue;
+    const double moment = bars.command_age + braking;
     if (moved_by_a_stranger(commands, step.from->world, step.to->world, moment, bars)) continue;
     note(verdict, step.to->t,
          text("the base moves at %.3f m/s and %.3f rad/s at %.2f s (world); the newest legal BASE_GOAL to move: %s",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -67,12 +68,11 @@ void judge_base_silence(const Timeline& timeline, const std::vector<double>& tim
     if (truth.world < rest_from) continue;
     if (rest == nullptr) rest = &truth;
     ++verdict.judged;
-    const double way = way_between(rest->message, truth.message);
-    const double turn = turn_between(rest->message, truth.message);
-    if (way <= bars.base_silent_m && turn <= bars.base_silent_rad) continue;
+    const std::string moved = base_moved(rest->message, truth.message, bars.base_silent_m, bars.base_silent_rad);
+    if (moved.empty()) continue;
     note(verdict, truth.t,
-         text("no fresh BASE_COMMAND since %.2f s (world), and the base moved %.4f m and %.4f rad until %.2f s", last,
-              way, turn, truth.world));
+         text("no fresh BASE_COMMAND since %.2f s (world), and the base %s until %.2f s", last, moved.c_str(),
+              truth.world));
     rest = &truth;
   }
 }
@@ -140,14 +140,14 @@ void judge_base_of_two(const Timeline& timeline, const Commands& commands, const
       if (truth.world < from) continue;
       if (rest == nullptr) rest = &truth;
       ++verdict.judged;
-      const double way = way_between(rest->message, truth.message);
-      const double turn = turn_between(rest->message, truth.message);
-      if (way <= bars.base_silent_m && turn <= bars.base_silent_rad) continue;
-      note(verdict, truth.t,
-           text("two write BASE_COMMAND since %.2f s (world), sessions %ld and %ld, and the base moved %.4f m and %.4f "
-                "rad by %.2f s without a RESET",
-                held.writers.world, static_cast<long>(held.writers.first), static_cast<long>(held.writers.second), way,
-                turn, truth.world));
+      const std::string moved = base_moved(rest->message, truth.message, bars.base_silent_m, bars.base_silent_rad);
+      if (moved.empty()) continue;
+      note(
+          verdict, truth.t,
+          text("two write BASE_COMMAND since %.2f s (world), sessions %ld and %ld, and the base %s by %.2f s without a "
+               "RESET",
+               held.writers.world, static_cast<long>(held.writers.first), static_cast<long>(held.writers.second),
+               moved.c_str(), truth.world));
       break;
     }
   }

@@ -173,20 +173,19 @@ ForgedHistory& ForgedHistory::stop_state(double t, const std::string& device, bo
 }
 
 ForgedHistory& ForgedHistory::stop(double t, std::int64_t id) {
-  StopRequest request{};
-  request.utime = at(t);
-  request.session = kStranger;
-  request.request_id = id;
-  request.kind = StopRequest::STOP;
-  return add(t, "STOP", request, true);
+  return request(t, StopRequest::STOP, id, t);
 }
 
 ForgedHistory& ForgedHistory::reset(double t, std::int64_t id, double stamped) {
+  return request(t, StopRequest::RESET, id, stamped);
+}
+
+ForgedHistory& ForgedHistory::request(double t, std::int8_t kind, std::int64_t id, double stamped) {
   StopRequest request{};
   request.utime = at(stamped);
   request.session = kStranger;
   request.request_id = id;
-  request.kind = StopRequest::RESET;
+  request.kind = kind;
   return add(t, "STOP", request, true);
 }
 

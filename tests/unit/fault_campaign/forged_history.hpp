@@ -91,6 +91,7 @@ class ForgedHistory {
   Timeline timeline() const { return timeline_of(history()); }
 
  private:
+  ForgedHistory& request(double t, std::int8_t kind, std::int64_t id, double stamped);
   template <class M>
   ForgedHistory& add(double t, const std::string& channel, const M& message, bool foreign = false);
 

@@ -95,7 +95,7 @@ TEST_F(Goals, WhatWasIgnoredDoesNotBeginWhenTheFirstFallsSilent) {
   EXPECT_EQ(inbox_.goal()->session, 5);
   EXPECT_FALSE(inbox_.fresh(us(1.3), kAge));
   EXPECT_EQ(inbox_.second(us(1.3), kAge),
-            "SERVO_GOAL of session 6 was ended, or ignored while another sent: it needs a new goal_id");
+            "SERVO_GOAL of session 6 was ignored while another sent: it needs a new goal_id");
   EXPECT_EQ(hear(6, 2, 1.4), GoalHeard::kNew);
   EXPECT_EQ(inbox_.second(us(1.4), kAge), "");
 }

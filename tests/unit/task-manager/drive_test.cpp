@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "services/task-manager/base_reports.hpp"
-#include "services/task-manager/drive_watch.hpp"
 #include "tests/unit/task-manager/fake_robot.hpp"
 
 namespace markservo::task_manager {
@@ -375,22 +374,22 @@ TEST(BaseReports, ForgetAnotherWorld) {
   EXPECT_EQ(reports.before(10'000)->utime, 100);
 }
 
-TEST(DriveWatch, DoesNotHoldAgainstTheBaseThatTheProcedureItselfPaused) {
-  constexpr std::int64_t kStart_us = 1'000'000'000;
-  const auto report_at = [](double seconds, BaseState state, DriveProgress& progress) {
-    Input input;
-    input.utime = kStart_us + static_cast<std::int64_t>(1e6 * seconds);
-    input.base = BaseReport{input.utime, 7, state, "BASE_GOAL is 3.39 s older than WHEEL_ODOMETRY"};
-    return watch_drive(7, input, DriveParameters(), progress).state;
-  };
-  DriveProgress progress = begin_of_drive(kStart_us);
-  EXPECT_EQ(report_at(0.1, BaseState::kDriving, progress), DriveState::kUnderWay);
-  EXPECT_EQ(report_at(3.5, BaseState::kStale, progress), DriveState::kUnderWay) << "3.4 s without a frame";
-  EXPECT_EQ(report_at(3.6, BaseState::kDriving, progress), DriveState::kUnderWay);
-  for (double t = 3.7; t < 5.6; t += 0.1) {
-    EXPECT_EQ(report_at(t, BaseState::kStale, progress), DriveState::kUnderWay);
+TEST(Drive, APauseOfTheProcedureItselfIsHeldAgainstNobody) {
+  constexpr double kPause = 150.0;  // s, more than any timeout
+  FakeRobot robot = robot_before_the_dock();
+  robot.send_drive(kDock);
+  ASSERT_TRUE(robot.run_until(Phase::kDrive, 1.0));
+  robot.run_for(2.0);
+  robot.blind_for(kPause);
+  ASSERT_TRUE(robot.run_until(Phase::kHoldLifted)) << name_of(robot.last().phase) << ": " << robot.last().reason;
+  for (const Phase phase : {Phase::kApproach, Phase::kServo, Phase::kLift}) {
+    FakeRobot other;
+    other.run_for(0.5);
+    other.send(CommandKind::kStart, "red_book");
+    ASSERT_TRUE(other.run_until(phase));
+    other.blind_for(kPause);
+    ASSERT_TRUE(other.run_until(Phase::kHoldLifted)) << name_of(phase) << ": " << other.last().reason;
   }
-  EXPECT_EQ(report_at(5.7, BaseState::kStale, progress), DriveState::kFailed) << "2 s of its own";
 }
 
 }  // namespace

@@ -62,9 +62,9 @@ bool FakeRobot::in_view(const Eigen::Isometry3d& X_CM, double size) const {
 ServoReport FakeRobot::report() {
   ServoReport report;
   report.goal_id = follows_goals ? goal_.id : 0;
-  if (stale) {
+  if (stale || frames_of_old_goals_ > 0) {
     report.state = ServoState::kStale;
-    report.reason = "TARGET_POSE is 1.0 s old";
+    report.reason = stale ? "TARGET_POSE is 1.0 s old" : "SERVO_GOAL is old";
   } else if (stop.latched) {
     report.state = ServoState::kStopped;
   } else if (goal_.kind == GoalKind::kHold) {
@@ -86,7 +86,7 @@ ServoReport FakeRobot::report() {
 
 // The base slides: what is seen of the book moves the other way.
 void FakeRobot::move_base() {
-  if (!drive_goal_.drive || base_stuck || stop.latched || !base_answers) return;
+  if (!drive_goal_.drive || base_stuck || stop.latched || !base_answers || frames_of_old_goals_ > 0) return;
   Eigen::Vector2d way_W(base_goal_.x - base_pose.x, base_goal_.y - base_pose.y);
   way_W *= std::min(1.0, kBaseStep / std::max(1e-12, way_W.norm()));
   if (way_W.norm() == 0.0) return;
@@ -105,7 +105,10 @@ std::optional<BaseReport> FakeRobot::base_report() const {
   BaseReport report;
   report.utime = utime_ - kFrame_us / 2;
   report.goal_id = drive_goal_.id;
-  if (drive_goal_.drive) {
+  if (frames_of_old_goals_ > 0) {
+    report.state = BaseState::kStale;
+    report.reason = "BASE_GOAL is old";
+  } else if (drive_goal_.drive) {
     const bool there = std::hypot(base_goal_.x - base_pose.x, base_goal_.y - base_pose.y) < 1e-9;
     report.state = base_stuck ? *base_stuck : there ? BaseState::kArrived : BaseState::kDriving;
     report.reason = base_reason;
@@ -114,7 +117,7 @@ std::optional<BaseReport> FakeRobot::base_report() const {
 }
 
 void FakeRobot::move_arm() {
-  if (stop.latched || stale || !follows_goals) return;
+  if (stop.latched || stale || !follows_goals || frames_of_old_goals_ > 0) return;
   const robot::JointVector before = q_;
   if (goal_.kind == GoalKind::kPosture) {
     const robot::JointVector to_go = goal_.q - q_;
@@ -214,7 +217,13 @@ Output FakeRobot::frame() {
     ++drive_goals_sent_;
   }
   if (phases_.empty() || phases_.back() != last_.phase) phases_.push_back(last_.phase);
+  if (frames_of_old_goals_ > 0) --frames_of_old_goals_;
   return last_;
+}
+
+void FakeRobot::blind_for(double seconds) {
+  utime_ += static_cast<std::int64_t>(1e6 * seconds);
+  frames_of_old_goals_ = 3;
 }
 
 bool FakeRobot::run_until(Phase phase, double seconds) {

@@ -71,6 +71,8 @@ class FakeRobot {
   double way_of_base() const { return way_of_base_; }  // m, all that it ever drove
   // What a base may not do: "" or how the arm stood while it drove, or in which phase.
   const std::string& reckless() const { return reckless_; }
+  // So long no frame comes, and the robot stands: its goals have aged, which its first reports then tell.
+  void blind_for(double seconds);
   double seconds() const { return 1e-6 * static_cast<double>(utime_); }
 
  private:
@@ -91,6 +93,7 @@ class FakeRobot {
   Command command_;
   std::int64_t next_command_ = 1;
   std::int64_t utime_ = 1'000'000;
+  int frames_of_old_goals_ = 0;
 
   robot::JointVector q_;
   double opening_ = 0.05;

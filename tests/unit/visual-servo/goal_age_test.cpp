@@ -74,6 +74,22 @@ TEST_F(GoalAge, TheGripperKeepsWhatItWasTold) {
   EXPECT_EQ(output.command->gripper_opening, 0.01);
 }
 
+TEST_F(GoalAge, AfterALongBlindTimeNothingOfTheFormerMotionGoesOn) {
+  frame();
+  machine_.observe(posture_goal(start_ + JointVector(0.6, -0.2, 0.1)), state_);
+  frames(4);
+  sender_lives_ = false;
+  const JointVector before = state_.command.position;
+  // No picture for 3 s, while the joints report.
+  for (int i = 0; i < 90; ++i) {
+    arm_.expose();
+    for (const auto& sample : arm_.take_joint_states()) machine_.observe(sample, state_);
+    arm_.finish_frame(std::nullopt);
+  }
+  EXPECT_EQ(frame().status.state, ServoState::kStale);
+  EXPECT_EQ((state_.command.position - before).norm(), 0.0);
+}
+
 TEST_F(GoalAge, AGoalOfTheFutureHeardBeforeTheFirstJointStateDoesNotWaitForItsHour) {
   Goal goal = posture_goal(start_ + JointVector(0.6, -0.2, 0.1));
   goal.utime += 2'000'000;
