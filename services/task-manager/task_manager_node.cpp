@@ -120,9 +120,11 @@ void TaskManagerNode::on_stop(const StopState& stop) {
   if (std::find(devices.begin(), devices.end(), stop.device) == devices.end()) return;
   const motion::Word word = watch(stop.device).hear_stop_state(stamp_of(stop), stop.latched != 0, stop.reason);
   ask_for_stops();
-  if (word == motion::Word::kReplaced && stop.device == arm_device_ && strangers_ &&
-      strangers_->session == stop.session) {
-    input_.arm = strangers_;
+  if (word == motion::Word::kReplaced && stop.device == arm_device_) {
+    const bool heard = strangers_ && strangers_->session == stop.session;
+    if (heard) input_.arm = strangers_;
+    // What another said before anyone was known tells nothing of what the hand holds.
+    if (!heard && state_.goal.id == 0) input_.arm.reset();
   }
   drop(motion::why_dropped(word));
   stop_state_utimes_[stop.device] = stop.utime;
