@@ -127,9 +127,10 @@ void ProcedureStep::insist_on_rest() {
     return true;
   };
   const bool resting = !under_way(s_.phase) && !in_.stop.latched;
-  if (unanswered(resting && s_.goal.id != 0 && in_.servo.goal_id == 0, s_.arm_unanswered_since)) send(s_.goal);
+  const auto ignored = [](const auto& report) { return report.goal_id == 0 && !report.follows_another; };
+  if (unanswered(resting && s_.goal.id != 0 && ignored(in_.servo), s_.arm_unanswered_since)) send(s_.goal);
   const bool base_rests = resting && !s_.drive.goal.drive && s_.drive.goal.id != 0;
-  if (unanswered(base_rests && in_.base && in_.base->goal_id == 0, s_.drive.unanswered_since)) send(s_.drive.goal);
+  if (unanswered(base_rests && in_.base && ignored(*in_.base), s_.drive.unanswered_since)) send(s_.drive.goal);
 }
 
 void ProcedureStep::watch_the_servo() {

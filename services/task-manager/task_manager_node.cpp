@@ -180,6 +180,7 @@ void TaskManagerNode::on_base(const BaseStatus& status) {
   report.goal_id = status.goal_session == base_goals_->session() ? status.goal_id : 0;
   report.state = messages::state_of<BaseState>(status.state);
   report.reason = status.reason;
+  report.follows_another = status.goal_session != 0 && report.goal_id == 0 && report.state != BaseState::kStale;
   base_reports_.add(report);
 }
 
@@ -194,6 +195,7 @@ ServoReport TaskManagerNode::servo_report(const ServoStatus& status) {
   report.state = messages::state_of<ServoState>(status.state);
   report.settled = status.settled != 0;
   report.reason = status.reason;
+  report.follows_another = status.goal_session != 0 && report.goal_id == 0 && report.state != ServoState::kStale;
   if (why.empty()) return report;
   report.state = ServoState::kStale;
   report.settled = false;
