@@ -81,6 +81,8 @@ void ProcedureStep::watch_the_clock() {
   s_.stale_since.reset();
   s_.stopped_since.reset();
   s_.unheard_since.reset();
+  s_.arm_unanswered_since.reset();
+  s_.drive.unanswered_since.reset();
   if (under_way(s_.phase)) stop("the clock of SERVO_STATUS was set back");
 }
 
