@@ -6,11 +6,11 @@
 namespace markservo::mark_detector {
 namespace {
 
-std::size_t index(int32_t i) {
+std::size_t index(std::int32_t i) {
   return static_cast<std::size_t>(i);
 }
 
-int32_t root(std::vector<int32_t>& parents, int32_t i) {
+std::int32_t root(std::vector<std::int32_t>& parents, std::int32_t i) {
   while (parents[index(i)] != i) {
     parents[index(i)] = parents[index(parents[index(i)])];
     i = parents[index(i)];
@@ -19,7 +19,7 @@ int32_t root(std::vector<int32_t>& parents, int32_t i) {
 }
 
 // The smaller label survives, so that labels are in the order of the regions' first pixels.
-void join(std::vector<int32_t>& parents, int32_t a, int32_t b) {
+void join(std::vector<std::int32_t>& parents, std::int32_t a, std::int32_t b) {
   a = root(parents, a);
   b = root(parents, b);
   parents[index(std::max(a, b))] = std::min(a, b);
@@ -53,12 +53,12 @@ void LabelledRuns::label(const BitMask& mask, Connectivity connectivity) {
     std::size_t above = above_begin;
     for (int begin = mask.next(v, 0, true); begin < mask.width();) {
       const int end = mask.next(v, begin, false);
-      const auto own = static_cast<int32_t>(runs.size());
+      const auto own = static_cast<std::int32_t>(runs.size());
       labels.push_back(own);
       runs.push_back({v, begin, end});
       while (above < above_end && runs[above].end + reach <= begin) ++above;
       for (std::size_t i = above; i < above_end && runs[i].begin < end + reach; ++i) {
-        join(labels, static_cast<int32_t>(i), own);
+        join(labels, static_cast<std::int32_t>(i), own);
       }
       begin = mask.next(v, end, true);
     }
@@ -67,7 +67,7 @@ void LabelledRuns::label(const BitMask& mask, Connectivity connectivity) {
   }
   areas.assign(runs.size(), 0);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    labels[i] = root(labels, static_cast<int32_t>(i));
+    labels[i] = root(labels, static_cast<std::int32_t>(i));
     areas[index(labels[i])] += runs[i].end - runs[i].begin;
   }
 }
@@ -86,19 +86,19 @@ Shape shape_of(RunSpan runs) {
     bottom = std::max(bottom, run.v + 1);
   }
   // Exact sums from the box's corner; 16384 x 16384 px stay below 2^63.
-  const auto squares = [](int64_t n) { return (n - 1) * n * (2 * n - 1) / 6; };  // 0 + 1 + 4 + ... + (n - 1)^2
-  int64_t n = 0;
-  int64_t sum_u = 0;
-  int64_t sum_v = 0;
-  int64_t sum_uu = 0;
-  int64_t sum_uv = 0;
-  int64_t sum_vv = 0;
+  const auto squares = [](std::int64_t n) { return (n - 1) * n * (2 * n - 1) / 6; };  // 0 + 1 + 4 + ... + (n - 1)^2
+  std::int64_t n = 0;
+  std::int64_t sum_u = 0;
+  std::int64_t sum_v = 0;
+  std::int64_t sum_uu = 0;
+  std::int64_t sum_uv = 0;
+  std::int64_t sum_vv = 0;
   for (const PixelRun& run : runs) {
-    const int64_t begin = run.begin - left;
-    const int64_t end = run.end - left;
-    const int64_t v = run.v - top;
-    const int64_t count = end - begin;
-    const int64_t sum = (begin + end - 1) * count / 2;
+    const std::int64_t begin = run.begin - left;
+    const std::int64_t end = run.end - left;
+    const std::int64_t v = run.v - top;
+    const std::int64_t count = end - begin;
+    const std::int64_t sum = (begin + end - 1) * count / 2;
     n += count;
     sum_u += sum;
     sum_v += v * count;
@@ -124,7 +124,7 @@ Shape shape_of(RunSpan runs) {
 
 void BlobFinder::find(const BitMask& mask, const BlobParameters& parameters, BlobList& list) {
   labelled_.label(mask, parameters.connectivity);
-  const std::vector<int64_t>& areas = labelled_.areas;
+  const std::vector<std::int64_t>& areas = labelled_.areas;
   list.blobs.clear();
   list.largest_area = 0;
   kept_.clear();
@@ -174,7 +174,7 @@ void merge(const BlobList& list, std::vector<PixelRun>& runs) {
   std::sort(runs.begin(), runs.end(), before);
 }
 
-void HoleFiller::fill(RunSpan blob, int64_t max_hole, std::vector<PixelRun>& filled) {
+void HoleFiller::fill(RunSpan blob, std::int64_t max_hole, std::vector<PixelRun>& filled) {
   filled.assign(blob.begin(), blob.end());
   if (max_hole <= 0 || is_solid(blob)) return;
   // The blob's complement in its box and one pixel around: what is connected to that rim is outside.

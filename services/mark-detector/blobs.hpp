@@ -62,23 +62,23 @@ enum class Connectivity { kFour, kEight };
 
 struct BlobParameters {
   Connectivity connectivity = Connectivity::kEight;
-  int64_t min_area = 1;          // px
+  std::int64_t min_area = 1;     // px
   std::size_t max_blobs = 1024;  // the largest are kept: bounds what a speckled image can cost
 };
 
 struct BlobList {
-  std::vector<Blob> blobs;     // at least min_area, the largest first, equal ones from top left
-  std::vector<PixelRun> runs;  // of all blobs, one after the other; of each by rows, then columns
-  int64_t largest_area = 0;    // px, of the largest region, kept or not
+  std::vector<Blob> blobs;        // at least min_area, the largest first, equal ones from top left
+  std::vector<PixelRun> runs;     // of all blobs, one after the other; of each by rows, then columns
+  std::int64_t largest_area = 0;  // px, of the largest region, kept or not
 
   RunSpan runs_of(const Blob& blob) const { return {runs.data() + blob.first_run, blob.num_runs}; }
 };
 
 // Runs with their regions.
 struct LabelledRuns {
-  std::vector<PixelRun> runs;   // by rows, then columns
-  std::vector<int32_t> labels;  // of each run: its region's first run
-  std::vector<int64_t> areas;   // px, of each region, at its first run; else 0
+  std::vector<PixelRun> runs;        // by rows, then columns
+  std::vector<std::int32_t> labels;  // of each run: its region's first run
+  std::vector<std::int64_t> areas;   // px, of each region, at its first run; else 0
 
   void label(const BitMask& mask, Connectivity connectivity);
 };
@@ -108,7 +108,7 @@ class HoleFiller {
  public:
   // The runs with holes of at most `max_hole` px filled; a hole is background that the blob, connected over corners,
   // encloses.
-  void fill(RunSpan blob, int64_t max_hole, std::vector<PixelRun>& filled);
+  void fill(RunSpan blob, std::int64_t max_hole, std::vector<PixelRun>& filled);
 
  private:
   BitMask background_;

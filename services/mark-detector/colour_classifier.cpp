@@ -13,12 +13,12 @@ namespace {
 constexpr double kLeastWidth_deg = 0.1;  // below it the integer cone would degenerate to a line
 
 struct Ray {
-  int16_t x = 0;
-  int16_t y = 0;
+  std::int16_t x = 0;
+  std::int16_t y = 0;
 };
 
-int16_t scaled(double ratio, int scale) {
-  return static_cast<int16_t>(std::lround(ratio * scale));
+std::int16_t scaled(double ratio, int scale) {
+  return static_cast<std::int16_t>(std::lround(ratio * scale));
 }
 
 // (R - G, G - B) of the purest colour of a hue, kHueScale long.
@@ -52,7 +52,7 @@ ColourRule make_rule(const robot::ColourInterval& interval, int chroma_min) {
   rule.saturation_max = scaled(std::clamp(interval.saturation_max, 0.0, 1.0), ColourRule::kSaturationScale);
   rule.value_min = scaled(std::clamp(interval.value_min, 0.0, 1.0), 255);
   rule.value_max = scaled(std::clamp(interval.value_max, 0.0, 1.0), 255);
-  rule.chroma_min = static_cast<int16_t>(std::clamp(chroma_min, 0, 255));
+  rule.chroma_min = static_cast<std::int16_t>(std::clamp(chroma_min, 0, 255));
   return rule;
 }
 

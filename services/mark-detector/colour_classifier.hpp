@@ -27,16 +27,16 @@ struct ColourRule {
   static constexpr int kSaturationScale = 1 << 12;
 
   bool any_hue = false;
-  bool wide = false;  // the cone is wider than half a turn: one half-plane is enough
-  int16_t min_x = 0;  // kHueScale times the ray of hue_min in (x, y)
-  int16_t min_y = 0;
-  int16_t max_x = 0;  // likewise of hue_max
-  int16_t max_y = 0;
-  int16_t saturation_min = 0;  // kSaturationScale times the ratio C / V
-  int16_t saturation_max = kSaturationScale;
-  int16_t value_min = 0;  // levels
-  int16_t value_max = 255;
-  int16_t chroma_min = 0;  // levels
+  bool wide = false;       // the cone is wider than half a turn: one half-plane is enough
+  std::int16_t min_x = 0;  // kHueScale times the ray of hue_min in (x, y)
+  std::int16_t min_y = 0;
+  std::int16_t max_x = 0;  // likewise of hue_max
+  std::int16_t max_y = 0;
+  std::int16_t saturation_min = 0;  // kSaturationScale times the ratio C / V
+  std::int16_t saturation_max = kSaturationScale;
+  std::int16_t value_min = 0;  // levels
+  std::int16_t value_max = 255;
+  std::int16_t chroma_min = 0;  // levels
 };
 
 // The rule of an interval. Hue wraps; an interval of 360 degrees or more takes every hue, one narrower than 0.1 degrees

@@ -44,7 +44,7 @@ Pixels gather(const std::vector<LearningPicture>& pictures, const LearningParame
     }
     for (int j = 0; j < picture.height; ++j) {
       for (int i = 0; i < picture.width; ++i) {
-        const uint8_t* p = picture.image.pixel(picture.x + i, picture.y + j);
+        const std::uint8_t* p = picture.image.pixel(picture.x + i, picture.y + j);
         const double weight = tent(i, picture.width) * tent(j, picture.height);
         pixels.weight += weight;
         const Hsv hsv = hsv_of({double(p[0]), double(p[1]), double(p[2])});

@@ -52,8 +52,8 @@ class Pixels {
       }
     }
   }
-  const uint8_t* const* begin() const { return pixels_.data(); }
-  const uint8_t* const* end() const { return pixels_.data() + size_; }
+  const std::uint8_t* const* begin() const { return pixels_.data(); }
+  const std::uint8_t* const* end() const { return pixels_.data() + size_; }
 
  private:
   static bool is_inside(const Region& mark, int u, int v) {
@@ -62,7 +62,7 @@ class Pixels {
   }
 
   // Twice kMaxPerSide per side and image: steps are rounded down.
-  std::array<const uint8_t*, 8UL * kMaxPerSide * kMaxPerSide> pixels_{};
+  std::array<const std::uint8_t*, 8UL * kMaxPerSide * kMaxPerSide> pixels_{};
   std::size_t size_ = 0;
 };
 
@@ -76,7 +76,7 @@ struct Measurement {
 Measurement measure(const Pixels& pixels) {
   Measurement result;
   Bgr sum{};
-  for (const uint8_t* p : pixels) {
+  for (const std::uint8_t* p : pixels) {
     const int brightest = std::max({p[0], p[1], p[2]});
     if (brightest >= kClipped || brightest < kDark) continue;
     for (std::size_t c = 0; c < 3; ++c) sum[c] += p[c];
@@ -88,7 +88,7 @@ Measurement measure(const Pixels& pixels) {
   double n = 0.0;
   double brightness = 0.0;
   double squares = 0.0;
-  for (const uint8_t* p : pixels) {
+  for (const std::uint8_t* p : pixels) {
     double level = 0.0;
     double share = 0.0;
     for (std::size_t c = 0; c < 3; ++c) {

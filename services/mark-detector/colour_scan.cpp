@@ -8,14 +8,15 @@ namespace {
 constexpr int kWord = imaging::BitMask::kWordBits;
 
 // Classifies the columns of a row; which rules were met. Rows that hold nothing are declared empty.
-uint32_t scan_row(const ImageView& image, int v, int left, int right, const LumaShift& shift, const ScanRules& rules) {
-  std::array<uint64_t*, robot::kMaxMarks> words{};
+std::uint32_t scan_row(const ImageView& image, int v, int left, int right, const LumaShift& shift,
+                       const ScanRules& rules) {
+  std::array<std::uint64_t*, robot::kMaxMarks> words{};
   std::array<bool, robot::kMaxMarks> empty{};
   for (std::size_t k = 0; k < rules.count; ++k) {
     empty[k] = rules.masks[k]->surely_empty(v);
     words[k] = rules.masks[k]->row(v) + left / kWord;
   }
-  const uint32_t met =
+  const std::uint32_t met =
       classify_row(image.pixel(left, v), right - left, rules.rules.data(), rules.count, shift, words.data());
   for (std::size_t k = 0; k < rules.count; ++k) {
     if (((met >> k) & 1U) == 0 && empty[k]) rules.masks[k]->declare_empty(v);
@@ -26,7 +27,7 @@ uint32_t scan_row(const ImageView& image, int v, int left, int right, const Luma
 // Row v of the window into the cache.
 void prefetch(const ImageView& image, const ScanWindow& window, int v) {
   constexpr int kLine = 64;  // bytes
-  for (const uint8_t* p = image.pixel(window.left, v); p < image.pixel(window.right, v); p += kLine) {
+  for (const std::uint8_t* p = image.pixel(window.left, v); p < image.pixel(window.right, v); p += kLine) {
     __builtin_prefetch(p);
   }
 }
@@ -65,21 +66,21 @@ void scan(const ImageView& image, const ScanWindow& window, const LumaShift& shi
   }
 }
 
-uint32_t scan_rows(const ImageView& image, int first_row, int row_step, int least, const LumaShift& shift,
-                   const ScanRules& rules) {
-  uint32_t found = 0;
+std::uint32_t scan_rows(const ImageView& image, int first_row, int row_step, int least, const LumaShift& shift,
+                        const ScanRules& rules) {
+  std::uint32_t found = 0;
   for (int v = first_row; v < image.height; v += row_step) {
-    const uint32_t met = scan_row(image, v, 0, image.width, shift, rules);
+    const std::uint32_t met = scan_row(image, v, 0, image.width, shift, rules);
     for (std::size_t k = 0; k < rules.count; ++k) {
       if (((met >> k) & 1U) == 0) continue;
-      uint64_t* words = rules.masks[k]->row(v);
+      std::uint64_t* words = rules.masks[k]->row(v);
       int count = 0;
       for (int i = 0; i < rules.masks[k]->words_per_row(); ++i) {
         count += imaging::count_bits(words[i]);
         words[i] = 0;
       }
       rules.masks[k]->declare_empty(v);
-      if (count >= least) found |= uint32_t{1} << k;
+      if (count >= least) found |= std::uint32_t{1} << k;
     }
   }
   return found;

@@ -46,7 +46,7 @@ void scan(const ImageView& image, const ScanWindow& window, const LumaShift& shi
 
 // Looks at every `row_step`-th row of the image, from `first_row` on: bit k of the answer is set if one of them holds
 // at least `least` pixels that meet the k-th rule. Clears the rows that it looked at.
-uint32_t scan_rows(const ImageView& image, int first_row, int row_step, int least, const LumaShift& shift,
-                   const ScanRules& rules);
+std::uint32_t scan_rows(const ImageView& image, int first_row, int row_step, int least, const LumaShift& shift,
+                        const ScanRules& rules);
 
 }  // namespace markservo::mark_detector

@@ -55,10 +55,10 @@ LightChange light_change(const ImageView& image, const LightChangeParameters& pa
   std::array<Ratios, 3> ratios{};
   std::array<int, 3> counts{};
   std::size_t sample = 0;
-  const auto look_at = [&](const uint8_t* now) {
+  const auto look_at = [&](const std::uint8_t* now) {
     // In the first frame what was before is made up; nothing is concluded from it.
     if (sample + 3 > samples.bgr.size()) samples.bgr.insert(samples.bgr.end(), now, now + 3);
-    uint8_t* last = &samples.bgr[sample];
+    std::uint8_t* last = &samples.bgr[sample];
     sample += 3;
     for (std::size_t c = 0; c < 3; ++c) {
       const int before = last[c];

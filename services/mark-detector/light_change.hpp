@@ -26,7 +26,7 @@ struct LightChangeParameters {
 struct LightSamples {
   int width = 0;  // px, of the image they are from
   int height = 0;
-  std::vector<uint8_t> bgr;
+  std::vector<std::uint8_t> bgr;
 };
 
 struct LightChange {

@@ -23,18 +23,18 @@ LumaShift no_shift() {
 
 LumaShift equalising_shift(const LumaHistogram& histogram) {
   LumaShift shift = no_shift();
-  const int64_t total = std::accumulate(histogram.begin(), histogram.end(), int64_t{0});
+  const std::int64_t total = std::accumulate(histogram.begin(), histogram.end(), std::int64_t{0});
   std::size_t darkest = 0;
   while (darkest < histogram.size() && histogram[darkest] == 0) ++darkest;
   if (darkest == histogram.size() || histogram[darkest] == total) return shift;
 
   // Single precision and ties to even, as OpenCV does it, for the same table to the last bit.
   const float scale = 255.0F / static_cast<float>(total - histogram[darkest]);
-  int64_t sum = 0;
+  std::int64_t sum = 0;
   for (std::size_t level = darkest; level < histogram.size(); ++level) {
     if (level > darkest) sum += histogram[level];
     const long equalised = std::clamp(std::lrint(static_cast<float>(sum) * scale), 0L, 255L);
-    shift[level] = static_cast<int16_t>(equalised - static_cast<long>(level));
+    shift[level] = static_cast<std::int16_t>(equalised - static_cast<long>(level));
   }
   return shift;
 }
@@ -49,7 +49,7 @@ LumaShift equalising_shift(const ImageView& left, const ImageView& right, int ro
 
 LumaShift against_darkness(const LumaShift& shift) {
   LumaShift brightening = shift;
-  for (int16_t& levels : brightening) levels = std::max<int16_t>(levels, 0);
+  for (std::int16_t& levels : brightening) levels = std::max<std::int16_t>(levels, 0);
   return brightening;
 }
 

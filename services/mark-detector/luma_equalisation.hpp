@@ -20,14 +20,14 @@ inline int luma(int b, int g, int r) {
   return (kLumaB * b + kLumaG * g + kLumaR * r + (1 << (kLumaBits - 1))) >> kLumaBits;
 }
 
-using LumaHistogram = std::array<int64_t, 256>;
+using LumaHistogram = std::array<std::int64_t, 256>;
 
 // Adds the pixels of every `row_step`-th row, 1 or more, from `first_row` on, to the histogram.
 void accumulate(const ImageView& image, LumaHistogram& histogram, int first_row = 0, int row_step = 1);
 
 // What equalisation adds to a pixel of luma Y: Y'(Y) - Y, levels, -255..255. Added to B, G and R alike, it leaves hue
 // as it is.
-using LumaShift = std::array<int16_t, 256>;
+using LumaShift = std::array<std::int16_t, 256>;
 
 // All zero: no equalisation.
 LumaShift no_shift();

@@ -6,7 +6,7 @@
 namespace markservo::mark_detector {
 namespace {
 
-uint64_t majority(uint64_t a, uint64_t b, uint64_t c) {
+std::uint64_t majority(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
   return (a & b) | (a & c) | (b & c);
 }
 
@@ -17,20 +17,20 @@ void MajorityFilter::sum_row(const BitMask& mask, int v, RowSum& sum) {
   std::fill(sum.twos.begin() + sum.begin, sum.twos.begin() + sum.end, 0);
   sum.begin = sum.end = 0;
   if (mask.surely_empty(v)) return;
-  const uint64_t* row = mask.row(v);
+  const std::uint64_t* row = mask.row(v);
   const int words = mask.words_per_row();
   int first = 0;
   while (first < words && row[first] == 0) ++first;
   if (first == words) return;
   int last = words - 1;
   while (row[last] == 0) --last;
-  const uint64_t last_pixel = uint64_t{1} << ((mask.width() - 1) % BitMask::kWordBits);
+  const std::uint64_t last_pixel = std::uint64_t{1} << ((mask.width() - 1) % BitMask::kWordBits);
   sum.begin = std::max(0, first - 1);
   sum.end = std::min(words, last + 2);
   for (int i = sum.begin; i < sum.end; ++i) {
-    const uint64_t centre = row[i];
-    const uint64_t left = (centre << 1) | (i > 0 ? row[i - 1] >> 63 : centre & 1U);
-    const uint64_t right = (centre >> 1) | (i + 1 < words ? row[i + 1] << 63 : centre & last_pixel);
+    const std::uint64_t centre = row[i];
+    const std::uint64_t left = (centre << 1) | (i > 0 ? row[i - 1] >> 63 : centre & 1U);
+    const std::uint64_t right = (centre >> 1) | (i + 1 < words ? row[i + 1] << 63 : centre & last_pixel);
     const auto k = static_cast<std::size_t>(i);
     sum.ones[k] = left ^ centre ^ right;
     sum.twos[k] = majority(left, centre, right);
@@ -46,7 +46,7 @@ void MajorityFilter::apply(const BitMask& mask, BitMask& result) {
     sum.begin = sum.end = 0;
   }
   const int words = mask.words_per_row();
-  const uint64_t tail = imaging::low_bits((mask.width() - 1) % BitMask::kWordBits + 1);
+  const std::uint64_t tail = imaging::low_bits((mask.width() - 1) % BitMask::kWordBits + 1);
   const int height = mask.height();
   int summed = -1;  // the row whose sum was made last
   for (int v = 0; v < height; ++v) {
@@ -71,20 +71,20 @@ void MajorityFilter::apply(const BitMask& mask, BitMask& result) {
       end = std::max(end, sum->end);
     }
     if (begin >= end) continue;
-    uint64_t* out = result.row(v);
-    uint64_t any = 0;
+    std::uint64_t* out = result.row(v);
+    std::uint64_t any = 0;
     for (int word = begin; word < end; ++word) {
       const auto i = static_cast<std::size_t>(word);
-      const uint64_t one = above.ones[i] ^ here.ones[i] ^ below.ones[i];
-      const uint64_t carry = majority(above.ones[i], here.ones[i], below.ones[i]);
+      const std::uint64_t one = above.ones[i] ^ here.ones[i] ^ below.ones[i];
+      const std::uint64_t carry = majority(above.ones[i], here.ones[i], below.ones[i]);
       // Of four bits worth two each: are two of them set, or three?
-      const uint64_t both_a = above.twos[i] & here.twos[i];
-      const uint64_t odd_a = above.twos[i] ^ here.twos[i];
-      const uint64_t both_b = below.twos[i] & carry;
-      const uint64_t odd_b = below.twos[i] ^ carry;
-      const uint64_t three = (both_a & (both_b | odd_b)) | (both_b & odd_a);
-      const uint64_t two = both_a | both_b | (odd_a & odd_b);
-      out[word] = (three | (two & one)) & (word + 1 == words ? tail : ~uint64_t{0});
+      const std::uint64_t both_a = above.twos[i] & here.twos[i];
+      const std::uint64_t odd_a = above.twos[i] ^ here.twos[i];
+      const std::uint64_t both_b = below.twos[i] & carry;
+      const std::uint64_t odd_b = below.twos[i] ^ carry;
+      const std::uint64_t three = (both_a & (both_b | odd_b)) | (both_b & odd_a);
+      const std::uint64_t two = both_a | both_b | (odd_a & odd_b);
+      out[word] = (three | (two & one)) & (word + 1 == words ? tail : ~std::uint64_t{0});
       any |= out[word];
     }
     if (any == 0) result.declare_empty(v);

@@ -20,8 +20,8 @@ class MajorityFilter {
  private:
   // The sum of a pixel and its neighbours left and right, 0..3, as two bit planes.
   struct RowSum {
-    std::vector<uint64_t> ones;
-    std::vector<uint64_t> twos;
+    std::vector<std::uint64_t> ones;
+    std::vector<std::uint64_t> twos;
     int begin = 0;  // words that may not be zero
     int end = 0;
   };

@@ -16,13 +16,13 @@ void check(bool condition, const char* what) {
 }
 
 // Why one image shows no blob of the mark.
-std::string why_not(const BlobList& blobs, int64_t min_area, const char* where) {
+std::string why_not(const BlobList& blobs, std::int64_t min_area, const char* where) {
   if (blobs.largest_area == 0) return std::string("no pixel of its colour in ") + where;
   return std::string("largest blob in ") + where + " has " + std::to_string(blobs.largest_area) + " px, fewer than " +
          std::to_string(min_area);
 }
 
-std::string why_unseen(const Finding& finding, int64_t min_area, bool single) {
+std::string why_unseen(const Finding& finding, std::int64_t min_area, bool single) {
   const bool left = !finding.left_blobs.blobs.empty();
   const bool right = !finding.right_blobs.blobs.empty();
   if (single) return left ? "" : why_not(finding.left_blobs, min_area, "the image");
@@ -162,7 +162,7 @@ MarkDetector::MarkSet MarkDetector::marks_in_sight(const Input& input, const Lum
       rules.add(state.rules[i], (*masks)[i]);
     }
     if (rules.count == 0) break;
-    const uint32_t found =
+    const std::uint32_t found =
         scan_rows(*image, state.next_coarse_row, parameters_.coarse_rows, parameters_.coarse_least, shift, rules);
     for (std::size_t k = 0; k < rules.count; ++k) {
       if (((found >> k) & 1U) != 0) in_sight.set(mark_of_rule.at(k));
@@ -295,7 +295,7 @@ void MarkDetector::make_view(const ImageView& image, std::size_t mark, const Blo
       runs = state.merged;
       area = shape_of(runs).area;
     }
-    const auto fraction = static_cast<int64_t>(parameters_.hole_fraction * area);
+    const auto fraction = static_cast<std::int64_t>(parameters_.hole_fraction * area);
     state.filler.fill(runs, plane ? std::max(parameters_.noise_hole, fraction) : parameters_.noise_hole, state.filled);
     runs = state.filled;
     view.shape = shape_of(runs);

@@ -29,12 +29,12 @@ struct Parameters {
   // Looked at in each image, spread over it, and other ones in the right image than in the left, so that of 480 every
   // eighth counts: a level off at most. Whole rows, which processors fetch ahead.
   int histogram_rows = 30;
-  int chroma_min = 14;         // levels; below it hue is noise (sigma 3 makes 5 on grey, 11 at the 99.9th percentile)
-  int64_t min_area = 60;       // px; a mark of 8 x 8 px has no texture to match
-  double hole_fraction = 0.1;  // of the blob's area: holes up to this are dirt, glare or print, and belong to the mark
-  int64_t noise_hole = 9;      // px; holes up to this are noise, also in marks that are free
-  int memory_frames = 30;      // frames for which the place of a mark that is not seen is remembered
-  bool adapt = true;           // colour intervals follow the light
+  int chroma_min = 14;          // levels; below it hue is noise (sigma 3 makes 5 on grey, 11 at the 99.9th percentile)
+  std::int64_t min_area = 60;   // px; a mark of 8 x 8 px has no texture to match
+  double hole_fraction = 0.1;   // of the blob's area: holes up to this are dirt, glare or print, and belong to the mark
+  std::int64_t noise_hole = 9;  // px; holes up to this are noise, also in marks that are free
+  int memory_frames = 30;       // frames for which the place of a mark that is not seen is remembered
+  bool adapt = true;            // colour intervals follow the light
   ColourModelParameters colours;
   // Frames from one search of the whole image to the next; between them a mark is looked for around its last place, and
   // where it was not seen in every coarse_rows-th row. 1: always everywhere.

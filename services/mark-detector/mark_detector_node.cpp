@@ -30,9 +30,9 @@ void require_frame_size(const StereoFrame& frame, const JpegSize& size, const ch
 }
 
 // One side of a frame as an image; raw sides are not copied and must outlive it. Throws std::runtime_error.
-cv::Mat decode(const StereoFrame& frame, const std::vector<uint8_t>& side, const char* name) {
+cv::Mat decode(const StereoFrame& frame, const std::vector<std::uint8_t>& side, const char* name) {
   if (frame.encoding == StereoFrame::ENCODING_BGR8) {
-    return {frame.height, frame.width, CV_8UC3, const_cast<uint8_t*>(side.data())};
+    return {frame.height, frame.width, CV_8UC3, const_cast<std::uint8_t*>(side.data())};
   }
   // Before any pixel is decoded: a small message can claim an image of gigabytes.
   const std::optional<JpegSize> size = jpeg_size(side);
@@ -122,8 +122,8 @@ void MarkDetectorNode::configure(const std::string& robot_file) {
     parameters_.patch.budget = patch_budget_;
   } else {
     const PatchParameters usual;
-    const int64_t factor = std::max<int64_t>(usual.limit, parameters_.patch.limit);
-    parameters_.patch.budget = usual.budget * factor * factor / (static_cast<int64_t>(usual.limit) * usual.limit);
+    const std::int64_t factor = std::max<std::int64_t>(usual.limit, parameters_.patch.limit);
+    parameters_.patch.budget = usual.budget * factor * factor / (static_cast<std::int64_t>(usual.limit) * usual.limit);
   }
   detector_.emplace(std::move(marks), parameters_);
 }

@@ -28,7 +28,7 @@ class MarkDetectorNode final : public bus::Service {
 
   bool no_equalise_ = false;
   bool no_adapt_ = false;
-  int64_t patch_budget_ = 0;  // bytes; 0: grows with the patch limit
+  std::int64_t patch_budget_ = 0;  // bytes; 0: grows with the patch limit
   std::vector<std::string> mark_texts_;
   std::string image_file_;
   std::string right_file_;

@@ -11,7 +11,7 @@ constexpr int kReservedSide = 32;  // patch pixels a side that even the least im
 // A scale that can be had, and what both patches take; 0 for none.
 struct Fit {
   int scale = 0;
-  int64_t bytes = 0;
+  std::int64_t bytes = 0;
 };
 
 struct Span {
@@ -37,11 +37,11 @@ void copy_patch(const ImageView& image, const Region& mark, Patch& patch) {
     const auto row = static_cast<std::size_t>(j);
     std::memcpy(&patch.bgr[row * row_bytes], image.pixel(patch.x, patch.y + j), row_bytes);
     for (int i = 0; i < patch.width; i += BitMask::kWordBits) {
-      uint64_t bits = mark.inside.window(patch.x + i - mark.x, patch.y + j - mark.y);
+      std::uint64_t bits = mark.inside.window(patch.x + i - mark.x, patch.y + j - mark.y);
       const int n = std::min(BitMask::kWordBits, patch.width - i);
-      if (n < BitMask::kWordBits) bits &= (uint64_t{1} << n) - 1;
+      if (n < BitMask::kWordBits) bits &= (std::uint64_t{1} << n) - 1;
       for (int k = 0; k < n; k += 8) {
-        patch.mask[row * mask_stride + static_cast<std::size_t>(i + k) / 8] = static_cast<uint8_t>(bits >> k);
+        patch.mask[row * mask_stride + static_cast<std::size_t>(i + k) / 8] = static_cast<std::uint8_t>(bits >> k);
       }
     }
   }
@@ -49,55 +49,55 @@ void copy_patch(const ImageView& image, const Region& mark, Patch& patch) {
 
 // Adds to `counts`, one a patch pixel, how many of the `scale` pixels from column `u` of row `v` on are mark, and so
 // on.
-void count_mark(const Region& mark, int u, int v, int scale, std::vector<uint32_t>& counts) {
-  for (uint32_t& count : counts) {
+void count_mark(const Region& mark, int u, int v, int scale, std::vector<std::uint32_t>& counts) {
+  for (std::uint32_t& count : counts) {
     for (int i = 0; i < scale; i += BitMask::kWordBits) {
-      const uint64_t bits = mark.inside.window(u + i - mark.x, v - mark.y);
-      count += static_cast<uint32_t>(imaging::count_bits(bits & imaging::low_bits(scale - i)));
+      const std::uint64_t bits = mark.inside.window(u + i - mark.x, v - mark.y);
+      count += static_cast<std::uint32_t>(imaging::count_bits(bits & imaging::low_bits(scale - i)));
     }
     u += scale;
   }
 }
 
 // The same for scales of which many fit a word.
-void count_mark_by_words(const Region& mark, int u, int v, int scale, std::vector<uint32_t>& counts) {
+void count_mark_by_words(const Region& mark, int u, int v, int scale, std::vector<std::uint32_t>& counts) {
   const int per_word = BitMask::kWordBits / scale;
-  const uint64_t lowest = imaging::low_bits(scale);
+  const std::uint64_t lowest = imaging::low_bits(scale);
   for (std::size_t i = 0; i < counts.size(); i += static_cast<std::size_t>(per_word), u += per_word * scale) {
-    uint64_t bits = mark.inside.window(u - mark.x, v - mark.y);
+    std::uint64_t bits = mark.inside.window(u - mark.x, v - mark.y);
     const std::size_t end = std::min(counts.size(), i + static_cast<std::size_t>(per_word));
     for (std::size_t k = i; bits != 0 && k < end; ++k, bits >>= scale) {
-      counts[k] += static_cast<uint32_t>(imaging::count_bits(bits & lowest));
+      counts[k] += static_cast<std::uint32_t>(imaging::count_bits(bits & lowest));
     }
   }
 }
 
 // The sums of `rows` rows of bytes, from `first` on.
-void sum_rows(const uint8_t* first, std::ptrdiff_t stride, int rows, std::vector<uint32_t>& sums) {
-  uint32_t* const out = sums.data();
+void sum_rows(const std::uint8_t* first, std::ptrdiff_t stride, int rows, std::vector<std::uint32_t>& sums) {
+  std::uint32_t* const out = sums.data();
   const std::size_t count = sums.size();
   for (std::size_t i = 0; i < count; ++i) out[i] = first[i];
   for (int row = 1; row < rows; ++row) {
-    const uint8_t* in = first + row * stride;
+    const std::uint8_t* in = first + row * stride;
     for (std::size_t i = 0; i < count; ++i) out[i] += in[i];
   }
 }
 
 // Averages along a row of column sums, `scale` pixels to one; kScale is that, or 0 for any.
 template <int kScale>
-void average_row(const uint32_t* in, std::size_t width, int any_scale, uint8_t* out) {
+void average_row(const std::uint32_t* in, std::size_t width, int any_scale, std::uint8_t* out) {
   const int scale = kScale > 0 ? kScale : any_scale;
-  const auto n = static_cast<uint32_t>(scale * scale);
+  const auto n = static_cast<std::uint32_t>(scale * scale);
   // Exact instead of a division as long as 255 n^2 fits 32 bits.
-  constexpr uint32_t kLargest = 4096;
-  const uint64_t inverse = ((uint64_t{1} << 32) + n - 1) / n;
+  constexpr std::uint32_t kLargest = 4096;
+  const std::uint64_t inverse = ((std::uint64_t{1} << 32) + n - 1) / n;
   for (std::size_t i = 0; i < width; ++i, out += 3) {
-    uint32_t sums[3] = {n / 2, n / 2, n / 2};
+    std::uint32_t sums[3] = {n / 2, n / 2, n / 2};
     for (int du = 0; du < scale; ++du, in += 3) {
       for (std::size_t c = 0; c < 3; ++c) sums[c] += in[c];
     }
     for (std::size_t c = 0; c < 3; ++c) {
-      out[c] = static_cast<uint8_t>(n <= kLargest ? (sums[c] * inverse) >> 32 : sums[c] / n);
+      out[c] = static_cast<std::uint8_t>(n <= kLargest ? (sums[c] * inverse) >> 32 : sums[c] / n);
     }
   }
 }
@@ -106,7 +106,7 @@ void average_row(const uint32_t* in, std::size_t width, int any_scale, uint8_t* 
 void average_patch(const ImageView& image, const Region& mark, Patch& patch) {
   const auto width = static_cast<std::size_t>(patch.width);
   const std::size_t mask_stride = (width + 7) / 8;
-  const auto half = static_cast<uint32_t>((patch.scale * patch.scale + 1) / 2);
+  const auto half = static_cast<std::uint32_t>((patch.scale * patch.scale + 1) / 2);
   patch.column_sums.resize(3 * width * static_cast<std::size_t>(patch.scale));
   patch.mark_counts.resize(width);
   const auto average = patch.scale == 2 ? average_row<2> : patch.scale == 3 ? average_row<3> : average_row<0>;
@@ -118,9 +118,9 @@ void average_patch(const ImageView& image, const Region& mark, Patch& patch) {
     average(patch.column_sums.data(), width, patch.scale, &patch.bgr[3 * width * row]);
     std::fill(patch.mark_counts.begin(), patch.mark_counts.end(), 0U);
     for (int v = top; v < top + patch.scale; ++v) count(mark, patch.x, v, patch.scale, patch.mark_counts);
-    uint8_t* bits = &patch.mask[mask_stride * row];
+    std::uint8_t* bits = &patch.mask[mask_stride * row];
     for (std::size_t i = 0; i < width; ++i) {
-      bits[i / 8] = static_cast<uint8_t>(bits[i / 8] | (unsigned{patch.mark_counts[i] >= half} << (i % 8)));
+      bits[i / 8] = static_cast<std::uint8_t>(bits[i / 8] | (unsigned{patch.mark_counts[i] >= half} << (i % 8)));
     }
   }
 }
@@ -139,19 +139,19 @@ void plan_scales(const std::vector<PatchRequest>& requests, const PatchParameter
                  int image_height, PatchPlan& plan) {
   const int greatest = std::max(1, std::min(image_width, image_height));
   // The least scale whose patches have at most `side` px and together at most `budget` bytes.
-  const auto fit = [&](const PatchRequest& request, int side, int64_t budget) {
+  const auto fit = [&](const PatchRequest& request, int side, std::int64_t budget) {
     for (int scale = 1; scale <= greatest; ++scale) {
       const PatchFrame left = frame_patch(request.left, parameters, scale, image_width, image_height);
       const PatchFrame right = frame_patch(request.right, parameters, scale, image_width, image_height);
       if (std::max({left.width, left.height, right.width, right.height}) > side) continue;
-      const int64_t bytes = left.bytes() + right.bytes();
+      const std::int64_t bytes = left.bytes() + right.bytes();
       if (bytes <= budget) return Fit{scale, bytes};
     }
     return Fit{};
   };
 
   plan.reserved.clear();
-  int64_t left_over = parameters.budget;
+  std::int64_t left_over = parameters.budget;
   for (const PatchRequest& request : requests) {
     plan.reserved.push_back(fit(request, std::min(kReservedSide, parameters.limit), left_over).bytes);
     left_over -= plan.reserved.back();

@@ -13,10 +13,11 @@
 namespace markservo::mark_detector {
 
 struct PatchParameters {
-  int margin = 8;           // px around the mark's box: half a matching window of 15 px
-  int margin_pixels = 5;    // patch pixels around the box at least: what an outline is told by
-  int limit = 128;          // patch pixels a side
-  int64_t budget = 131072;  // bytes of all patches of one image pair: a message that survives default socket buffers
+  int margin = 8;         // px around the mark's box: half a matching window of 15 px
+  int margin_pixels = 5;  // patch pixels around the box at least: what an outline is told by
+  int limit = 128;        // patch pixels a side
+  std::int64_t budget =
+      131072;  // bytes of all patches of one image pair: a message that survives default socket buffers
 };
 
 // Patch pixel (i, j) averages the image's columns x + i * scale .. x + (i + 1) * scale - 1, rows likewise.
@@ -26,10 +27,10 @@ struct Patch {
   int scale = 0;  // 0: no patch
   int width = 0;
   int height = 0;
-  std::vector<uint8_t> bgr;
-  std::vector<uint8_t> mask;  // a bit a patch pixel, rows padded to bytes, lowest bit first: half or more is mark
-  std::vector<uint32_t> column_sums;  // room for averaging
-  std::vector<uint32_t> mark_counts;  // likewise
+  std::vector<std::uint8_t> bgr;
+  std::vector<std::uint8_t> mask;  // a bit a patch pixel, rows padded to bytes, lowest bit first: half or more is mark
+  std::vector<std::uint32_t> column_sums;  // room for averaging
+  std::vector<std::uint32_t> mark_counts;  // likewise
 };
 
 // Where a patch lies, before it is cut.
@@ -40,7 +41,9 @@ struct PatchFrame {
   int width = 0;
   int height = 0;
 
-  int64_t bytes() const { return static_cast<int64_t>(height) * (static_cast<int64_t>(width) * 3 + (width + 7) / 8); }
+  std::int64_t bytes() const {
+    return static_cast<std::int64_t>(height) * (static_cast<std::int64_t>(width) * 3 + (width + 7) / 8);
+  }
 };
 
 // The frame around `box` and its margin at that scale, as far as the image reaches. `scale` at least 1 and at most the
@@ -56,8 +59,8 @@ struct PatchRequest {
 
 // What patches are cut at. Keeps its memory.
 struct PatchPlan {
-  std::vector<int> scales;        // of each request's pair, 0 for no patch
-  std::vector<int64_t> reserved;  // bytes of each, at least
+  std::vector<int> scales;             // of each request's pair, 0 for no patch
+  std::vector<std::int64_t> reserved;  // bytes of each, at least
 };
 
 // The scale of each request's pair. Requests come in order of importance: each takes the least scale

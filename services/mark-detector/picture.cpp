@@ -30,7 +30,7 @@ nlohmann::ordered_json json_of(const View& view, const BlobList& blobs, bool all
 cv::Mat mask_of(const Region& region, cv::Size size) {
   cv::Mat mask = cv::Mat::zeros(size, CV_8UC1);
   for (int j = 0; j < region.height; ++j) {
-    uint8_t* row = mask.ptr<uint8_t>(region.y + j);
+    std::uint8_t* row = mask.ptr<std::uint8_t>(region.y + j);
     for (int i = 0; i < region.width; ++i) row[region.x + i] = region.inside.test(i, j) ? 255 : 0;
   }
   return mask;
@@ -55,7 +55,7 @@ void add_masks(const std::string& name, const View& view, const BlobList& blobs,
   if (!all_blobs) return;
   for (std::size_t i = 0; i < std::min(kMaxBlobMasks, blobs.blobs.size()); ++i) {
     const Blob& blob = blobs.blobs[i];
-    const auto hole = static_cast<int64_t>(Parameters{}.hole_fraction * blob.shape.area);
+    const auto hole = static_cast<std::int64_t>(Parameters{}.hole_fraction * blob.shape.area);
     HoleFiller filler;
     std::vector<PixelRun> runs;
     filler.fill(blobs.runs_of(blob), hole, runs);
@@ -68,7 +68,7 @@ void add_masks(const std::string& name, const View& view, const BlobList& blobs,
 }  // namespace
 
 ImageView view_of(const cv::Mat& image) {
-  return {image.ptr<uint8_t>(), image.cols, image.rows, static_cast<std::ptrdiff_t>(image.step[0])};
+  return {image.ptr<std::uint8_t>(), image.cols, image.rows, static_cast<std::ptrdiff_t>(image.step[0])};
 }
 
 nlohmann::ordered_json report(const Output& output, bool has_right, bool all_blobs) {

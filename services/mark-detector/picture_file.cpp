@@ -8,7 +8,7 @@
 
 namespace markservo::mark_detector {
 
-cv::Mat decode_picture(const std::vector<uint8_t>& bytes) {
+cv::Mat decode_picture(const std::vector<std::uint8_t>& bytes) {
   try {
     return bytes.empty() ? cv::Mat() : cv::imdecode(bytes, cv::IMREAD_COLOR);
   } catch (const cv::Exception&) {
@@ -19,7 +19,7 @@ cv::Mat decode_picture(const std::vector<uint8_t>& bytes) {
 cv::Mat read_picture(const std::string& option, const std::string& path) {
   // Not cv::imread, which writes warnings of its own.
   std::ifstream file(path, std::ios::binary);
-  const std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   cv::Mat image = decode_picture(bytes);
   if (image.empty()) throw ConfigurationError(option + " '" + path + "': cannot be read; allowed: a picture file");
   return image;

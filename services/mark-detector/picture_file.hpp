@@ -10,7 +10,7 @@
 namespace markservo::mark_detector {
 
 // An empty image if the bytes are no picture; else 8-bit BGR.
-cv::Mat decode_picture(const std::vector<uint8_t>& bytes);
+cv::Mat decode_picture(const std::vector<std::uint8_t>& bytes);
 
 // `option` is what gave the path, for the error. Both throw ConfigurationError.
 cv::Mat read_picture(const std::string& option, const std::string& path);

@@ -11,10 +11,10 @@
 
 namespace markservo::mark_detector {
 
-using PixelBlock = std::array<uint8_t, std::size_t{3} * imaging::BitMask::kWordBits>;  // 8-bit BGR
+using PixelBlock = std::array<std::uint8_t, std::size_t{3} * imaging::BitMask::kWordBits>;  // 8-bit BGR
 
 // A copy in `block` of the `count` pixels, fewer than a word's, black behind them; the pixels to work on.
-inline const uint8_t* pad_block(const uint8_t* bgr, int count, PixelBlock& block) {
+inline const std::uint8_t* pad_block(const std::uint8_t* bgr, int count, PixelBlock& block) {
   block.fill(0);
   std::copy_n(bgr, 3 * static_cast<std::size_t>(count), block.begin());
   return block.data();

@@ -14,7 +14,7 @@ namespace markservo::target_locator::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Ints = hn::CappedTag<int32_t, PlaneImage::kRoom>;
+using Ints = hn::CappedTag<std::int32_t, PlaneImage::kRoom>;
 using Bytes = hn::Rebind<std::uint8_t, Ints>;
 
 void ProjectPixels(const std::uint8_t* bgr, int width, int height, const ColourMap& map, PlaneImage& plane) {

@@ -73,7 +73,7 @@ void TargetLocatorNode::handle(const MarkDetection& detection) {
     pose.marks.push_back(located_mark(mark, location));
     matches.marks.push_back(matches_of(mark, location));
   }
-  matches.num_marks = static_cast<int32_t>(matches.marks.size());
+  matches.num_marks = static_cast<std::int32_t>(matches.marks.size());
   const int dropped = fit_into_packet(pose);
   if (dropped > 0 && !told_of_dropped_marks_) {
     told_of_dropped_marks_ = true;
