@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "services/mark-detector/luma_equalisation.hpp"
+#include "services/mark-detector/colour/luma_equalisation.hpp"
 
 namespace markservo::mark_detector {
 namespace {

@@ -11,16 +11,16 @@
 
 #include "common/geometry/stereo_camera.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/mark-detector/blobs.hpp"
-#include "services/mark-detector/colour_classifier.hpp"
-#include "services/mark-detector/colour_model.hpp"
-#include "services/mark-detector/colour_scan.hpp"
+#include "services/mark-detector/adaptation/colour_model.hpp"
+#include "services/mark-detector/blobs/blobs.hpp"
+#include "services/mark-detector/blobs/majority_filter.hpp"
+#include "services/mark-detector/blobs/region.hpp"
+#include "services/mark-detector/colour/colour_classifier.hpp"
 #include "services/mark-detector/image_view.hpp"
-#include "services/mark-detector/majority_filter.hpp"
-#include "services/mark-detector/mark_selection.hpp"
-#include "services/mark-detector/patch_cutter.hpp"
-#include "services/mark-detector/region.hpp"
-#include "services/mark-detector/separability.hpp"
+#include "services/mark-detector/patches/patch_cutter.hpp"
+#include "services/mark-detector/search/colour_scan.hpp"
+#include "services/mark-detector/views/mark_selection.hpp"
+#include "services/mark-detector/views/separability.hpp"
 
 namespace markservo::mark_detector {
 

@@ -10,10 +10,10 @@
 #include "common/bus/number_options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/detection_message.hpp"
-#include "services/mark-detector/jpeg_size.hpp"
 #include "services/mark-detector/mark_option.hpp"
-#include "services/mark-detector/picture.hpp"
-#include "services/mark-detector/picture_file.hpp"
+#include "services/mark-detector/picture/jpeg_size.hpp"
+#include "services/mark-detector/picture/picture.hpp"
+#include "services/mark-detector/picture/picture_file.hpp"
 
 namespace markservo::mark_detector {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "common/bus/service.hpp"
-#include "services/mark-detector/learn_options.hpp"
+#include "services/mark-detector/learning/learn_options.hpp"
 #include "services/mark-detector/mark_detector.hpp"
 
 namespace markservo::mark_detector {

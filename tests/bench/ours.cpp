@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "services/mark-detector/colour_kernel.hpp"
-#include "services/mark-detector/luma_equalisation.hpp"
+#include "services/mark-detector/colour/colour_kernel.hpp"
+#include "services/mark-detector/colour/luma_equalisation.hpp"
 #include "tests/scenes/observation.hpp"
 
 namespace markservo::bench {

@@ -1,4 +1,4 @@
-#include "services/mark-detector/blobs.hpp"
+#include "services/mark-detector/blobs/blobs.hpp"
 
 #include <gtest/gtest.h>
 

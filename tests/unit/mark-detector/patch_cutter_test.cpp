@@ -1,4 +1,4 @@
-#include "services/mark-detector/patch_cutter.hpp"
+#include "services/mark-detector/patches/patch_cutter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "services/mark-detector/picture.hpp"
+#include "services/mark-detector/picture/picture.hpp"
 
 namespace markservo::mark_detector {
 namespace {

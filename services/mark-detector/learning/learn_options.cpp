@@ -1,4 +1,4 @@
-#include "services/mark-detector/learn_options.hpp"
+#include "services/mark-detector/learning/learn_options.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/mark-detector/colour_learning.hpp"
-#include "services/mark-detector/file_replacement.hpp"
-#include "services/mark-detector/picture.hpp"
-#include "services/mark-detector/picture_file.hpp"
-#include "services/mark-detector/robot_file_edit.hpp"
+#include "services/mark-detector/learning/colour_learning.hpp"
+#include "services/mark-detector/learning/file_replacement.hpp"
+#include "services/mark-detector/learning/robot_file_edit.hpp"
+#include "services/mark-detector/picture/picture.hpp"
+#include "services/mark-detector/picture/picture_file.hpp"
 
 namespace markservo::mark_detector {
 namespace {

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
-#include "services/mark-detector/colour_classifier.hpp"
-#include "services/mark-detector/hue.hpp"
+#include "services/mark-detector/adaptation/light_change.hpp"
+#include "services/mark-detector/blobs/region.hpp"
+#include "services/mark-detector/colour/colour_classifier.hpp"
+#include "services/mark-detector/colour/hue.hpp"
 #include "services/mark-detector/image_view.hpp"
-#include "services/mark-detector/light_change.hpp"
-#include "services/mark-detector/region.hpp"
 
 namespace markservo::mark_detector {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "services/mark-detector/colour_classifier.hpp"
-#include "services/mark-detector/luma_equalisation.hpp"
+#include "services/mark-detector/colour/colour_classifier.hpp"
+#include "services/mark-detector/colour/luma_equalisation.hpp"
 
 namespace markservo::mark_detector {
 

@@ -1,4 +1,4 @@
-#include "services/mark-detector/colour_learning.hpp"
+#include "services/mark-detector/learning/colour_learning.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "services/mark-detector/hue.hpp"
-#include "services/mark-detector/luma_equalisation.hpp"
+#include "services/mark-detector/colour/hue.hpp"
+#include "services/mark-detector/colour/luma_equalisation.hpp"
 
 namespace markservo::mark_detector {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "services/mark-detector/blobs/region.hpp"
 #include "services/mark-detector/image_view.hpp"
-#include "services/mark-detector/region.hpp"
 
 namespace markservo::mark_detector {
 

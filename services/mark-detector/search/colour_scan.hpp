@@ -7,8 +7,8 @@
 
 #include "common/imaging/bit_mask.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/mark-detector/blobs.hpp"
-#include "services/mark-detector/colour_kernel.hpp"
+#include "services/mark-detector/blobs/blobs.hpp"
+#include "services/mark-detector/colour/colour_kernel.hpp"
 #include "services/mark-detector/image_view.hpp"
 
 namespace markservo::mark_detector {

@@ -1,4 +1,4 @@
-#include "services/mark-detector/mark_selection.hpp"
+#include "services/mark-detector/views/mark_selection.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "services/mark-detector/separability.hpp"
+#include "services/mark-detector/views/separability.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "services/mark-detector/colour_scan.hpp"
+#include "services/mark-detector/search/colour_scan.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 // A window of the image around one mark.
 
-#include "services/mark-detector/blobs.hpp"
+#include "services/mark-detector/blobs/blobs.hpp"
 
 namespace markservo::mark_detector {
 

@@ -1,13 +1,13 @@
-#include "services/mark-detector/colour_kernel.hpp"
+#include "services/mark-detector/colour/colour_kernel.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
 
-#include "services/mark-detector/pixel_block.hpp"
+#include "services/mark-detector/colour/pixel_block.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "services/mark-detector/colour_kernel.cpp"
+#define HWY_TARGET_INCLUDE "services/mark-detector/colour/colour_kernel.cpp"
 #include <hwy/foreach_target.h>
 // After foreach_target.
 #include <hwy/highway.h>

@@ -1,11 +1,11 @@
-#include "services/mark-detector/luma_equalisation.hpp"
+#include "services/mark-detector/colour/luma_equalisation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 
-#include "services/mark-detector/colour_kernel.hpp"
+#include "services/mark-detector/colour/colour_kernel.hpp"
 
 namespace markservo::mark_detector {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "services/mark-detector/hue.hpp"
+#include "services/mark-detector/colour/hue.hpp"
 #include "services/mark-detector/image_view.hpp"
 
 namespace markservo::mark_detector {

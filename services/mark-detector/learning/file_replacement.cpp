@@ -1,4 +1,4 @@
-#include "services/mark-detector/file_replacement.hpp"
+#include "services/mark-detector/learning/file_replacement.hpp"
 
 #include <sys/stat.h>
 #include <unistd.h>

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "services/mark-detector/blobs/region.hpp"
 #include "services/mark-detector/image_view.hpp"
-#include "services/mark-detector/region.hpp"
 
 namespace markservo::mark_detector {
 

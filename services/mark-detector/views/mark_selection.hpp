@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "services/mark-detector/blobs.hpp"
+#include "services/mark-detector/blobs/blobs.hpp"
 
 namespace markservo::mark_detector {
 

@@ -1,4 +1,4 @@
-#include "services/mark-detector/region.hpp"
+#include "services/mark-detector/blobs/region.hpp"
 
 #include <algorithm>
 

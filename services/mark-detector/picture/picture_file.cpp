@@ -1,4 +1,4 @@
-#include "services/mark-detector/picture_file.hpp"
+#include "services/mark-detector/picture/picture_file.hpp"
 
 #include <fstream>
 #include <iterator>

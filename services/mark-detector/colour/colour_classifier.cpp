@@ -1,11 +1,11 @@
-#include "services/mark-detector/colour_classifier.hpp"
+#include "services/mark-detector/colour/colour_classifier.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
-#include "services/mark-detector/hue.hpp"
+#include "services/mark-detector/colour/hue.hpp"
 
 namespace markservo::mark_detector {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/mark-detector/picture.hpp"
+#include "services/mark-detector/picture/picture.hpp"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>

@@ -1,4 +1,4 @@
-#include "services/mark-detector/patch_cutter.hpp"
+#include "services/mark-detector/patches/patch_cutter.hpp"
 
 #include <algorithm>
 #include <cstring>
