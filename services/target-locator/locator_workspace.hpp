@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "services/target-locator/colour_projection.hpp"
-#include "services/target-locator/features.hpp"
-#include "services/target-locator/plane_alignment.hpp"
-#include "services/target-locator/stereo_patch.hpp"
-#include "services/target-locator/structure_tensor.hpp"
+#include "services/target-locator/features/features.hpp"
+#include "services/target-locator/features/structure_tensor.hpp"
+#include "services/target-locator/image/colour_projection.hpp"
+#include "services/target-locator/image/stereo_patch.hpp"
+#include "services/target-locator/plane/plane_alignment.hpp"
 
 namespace markservo::target_locator {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "services/target-locator/colour_projection.hpp"
-#include "services/target-locator/epipolar_rows.hpp"
-#include "services/target-locator/mark_centre.hpp"
-#include "services/target-locator/mask_refinement.hpp"
-#include "services/target-locator/point_cloud_centre.hpp"
-#include "services/target-locator/shared_visibility.hpp"
+#include "services/target-locator/centre/mark_centre.hpp"
+#include "services/target-locator/free_surface/point_cloud_centre.hpp"
+#include "services/target-locator/image/colour_projection.hpp"
+#include "services/target-locator/image/epipolar_rows.hpp"
+#include "services/target-locator/image/mask_refinement.hpp"
+#include "services/target-locator/plane/shared_visibility.hpp"
 
 namespace markservo::target_locator {
 namespace {

@@ -2,17 +2,17 @@
 
 // From two views of a mark to its centre in space: the whole chain of the paper's section 3, and ours.
 
-#include "services/target-locator/features.hpp"
-#include "services/target-locator/hidden_sides.hpp"
+#include "services/target-locator/features/features.hpp"
+#include "services/target-locator/free_surface/patch_matching.hpp"
+#include "services/target-locator/hidden/hidden_sides.hpp"
+#include "services/target-locator/image/mask_refinement.hpp"
 #include "services/target-locator/locator_workspace.hpp"
 #include "services/target-locator/mark_observation.hpp"
-#include "services/target-locator/mask_refinement.hpp"
-#include "services/target-locator/paper_matching.hpp"
-#include "services/target-locator/patch_matching.hpp"
-#include "services/target-locator/plane_alignment.hpp"
-#include "services/target-locator/plane_seed.hpp"
-#include "services/target-locator/refinement.hpp"
-#include "services/target-locator/square_outline.hpp"
+#include "services/target-locator/matching/refinement.hpp"
+#include "services/target-locator/outline/square_outline.hpp"
+#include "services/target-locator/paper/paper_matching.hpp"
+#include "services/target-locator/plane/plane_alignment.hpp"
+#include "services/target-locator/plane/plane_seed.hpp"
 
 namespace markservo::target_locator {
 

@@ -9,7 +9,7 @@
 
 #include "common/geometry/stereo_camera.hpp"
 #include "common/states/mark_status.hpp"
-#include "services/target-locator/plane_image.hpp"
+#include "services/target-locator/image/plane_image.hpp"
 
 namespace markservo::target_locator {
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "services/mark-detector/mark_detector.hpp"
-#include "services/target-locator/colour_projection.hpp"
+#include "services/target-locator/image/colour_projection.hpp"
 #include "services/target-locator/mark_locator.hpp"
 #include "tests/bench/match_bound.hpp"
 #include "tests/scenes/mark_stage.hpp"

@@ -1,10 +1,10 @@
-#include "services/target-locator/mark_centre.hpp"
+#include "services/target-locator/centre/mark_centre.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "services/target-locator/colour_projection.hpp"
+#include "services/target-locator/image/colour_projection.hpp"
 #include "tests/unit/target-locator/synthetic_mark.hpp"
 #include "tests/unit/target-locator/whole_mask.hpp"
 
