@@ -13,6 +13,7 @@
 #include "common/robot/robot_description.hpp"
 #include "services/mark-detector/adaptation/colour_model.hpp"
 #include "services/mark-detector/blobs/blobs.hpp"
+#include "services/mark-detector/blobs/hole_filler.hpp"
 #include "services/mark-detector/blobs/majority_filter.hpp"
 #include "services/mark-detector/blobs/region.hpp"
 #include "services/mark-detector/colour/colour_classifier.hpp"

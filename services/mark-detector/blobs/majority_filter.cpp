@@ -1,7 +1,6 @@
 #include "services/mark-detector/blobs/majority_filter.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace markservo::mark_detector {
 namespace {
@@ -35,6 +34,21 @@ void MajorityFilter::sum_row(const BitMask& mask, int v, RowSum& sum) {
     sum.ones[k] = left ^ centre ^ right;
     sum.twos[k] = majority(left, centre, right);
   }
+}
+
+// Of each pixel of the i-th word: are 5 or more of the 9 around it set?
+std::uint64_t MajorityFilter::majority_of_nine(const RowSum& above, const RowSum& here, const RowSum& below,
+                                               std::size_t i) {
+  const std::uint64_t one = above.ones[i] ^ here.ones[i] ^ below.ones[i];
+  const std::uint64_t carry = majority(above.ones[i], here.ones[i], below.ones[i]);
+  // Of four bits worth two each: are two of them set, or three?
+  const std::uint64_t both_a = above.twos[i] & here.twos[i];
+  const std::uint64_t odd_a = above.twos[i] ^ here.twos[i];
+  const std::uint64_t both_b = below.twos[i] & carry;
+  const std::uint64_t odd_b = below.twos[i] ^ carry;
+  const std::uint64_t three = (both_a & (both_b | odd_b)) | (both_b & odd_a);
+  const std::uint64_t two = both_a | both_b | (odd_a & odd_b);
+  return three | (two & one);
 }
 
 void MajorityFilter::apply(const BitMask& mask, BitMask& result) {
@@ -74,17 +88,8 @@ void MajorityFilter::apply(const BitMask& mask, BitMask& result) {
     std::uint64_t* out = result.row(v);
     std::uint64_t any = 0;
     for (int word = begin; word < end; ++word) {
-      const auto i = static_cast<std::size_t>(word);
-      const std::uint64_t one = above.ones[i] ^ here.ones[i] ^ below.ones[i];
-      const std::uint64_t carry = majority(above.ones[i], here.ones[i], below.ones[i]);
-      // Of four bits worth two each: are two of them set, or three?
-      const std::uint64_t both_a = above.twos[i] & here.twos[i];
-      const std::uint64_t odd_a = above.twos[i] ^ here.twos[i];
-      const std::uint64_t both_b = below.twos[i] & carry;
-      const std::uint64_t odd_b = below.twos[i] ^ carry;
-      const std::uint64_t three = (both_a & (both_b | odd_b)) | (both_b & odd_a);
-      const std::uint64_t two = both_a | both_b | (odd_a & odd_b);
-      out[word] = (three | (two & one)) & (word + 1 == words ? tail : ~std::uint64_t{0});
+      const std::uint64_t within = word + 1 == words ? tail : ~std::uint64_t{0};
+      out[word] = majority_of_nine(above, here, below, static_cast<std::size_t>(word)) & within;
       any |= out[word];
     }
     if (any == 0) result.declare_empty(v);

@@ -2,6 +2,7 @@
 
 // Cleans masks of noise.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,7 @@ class MajorityFilter {
   };
 
   static void sum_row(const BitMask& mask, int v, RowSum& sum);
+  static std::uint64_t majority_of_nine(const RowSum& above, const RowSum& here, const RowSum& below, std::size_t i);
 
   RowSum sums_[3];
 };

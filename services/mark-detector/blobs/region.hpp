@@ -2,9 +2,13 @@
 
 // A window of the image around one mark.
 
-#include "services/mark-detector/blobs/blobs.hpp"
+#include "common/imaging/bit_mask.hpp"
+#include "services/mark-detector/blobs/pixel_run.hpp"
+#include "services/mark-detector/blobs/shape.hpp"
 
 namespace markservo::mark_detector {
+
+using imaging::BitMask;
 
 struct Region {
   int x = 0;  // px of the image, left column

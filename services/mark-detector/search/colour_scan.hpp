@@ -7,7 +7,7 @@
 
 #include "common/imaging/bit_mask.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/mark-detector/blobs/blobs.hpp"
+#include "services/mark-detector/blobs/shape.hpp"
 #include "services/mark-detector/colour/colour_kernel.hpp"
 #include "services/mark-detector/image_view.hpp"
 

@@ -84,10 +84,6 @@ Judgement judge(const Shape& left, const Shape& right, const SelectionContext& c
 
 }  // namespace
 
-bool is_clipped(const Shape& shape, int image_width, int image_height) {
-  return shape.x <= 0 || shape.y <= 0 || shape.x + shape.width >= image_width || shape.y + shape.height >= image_height;
-}
-
 std::string inconsistency(const Shape& left, const Shape& right, const SelectionContext& context,
                           const SelectionParameters& parameters) {
   const Judgement j = judge(left, right, context, parameters);

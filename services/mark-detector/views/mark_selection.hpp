@@ -42,9 +42,6 @@ struct Selection {
   std::string reason;  // why there is no pair; empty if there is
 };
 
-// True if the box touches the image's border, so that part of the mark may be outside.
-bool is_clipped(const Shape& shape, int image_width, int image_height);
-
 // Why the two shapes cannot be one mark, with the numbers; empty if they can.
 std::string inconsistency(const Shape& left, const Shape& right, const SelectionContext& context,
                           const SelectionParameters& parameters);

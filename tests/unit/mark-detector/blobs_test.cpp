@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "services/mark-detector/blobs/hole_filler.hpp"
+
 namespace markservo::mark_detector {
 namespace {
 
