@@ -1,6 +1,6 @@
 #pragma once
 
-// The last pixels of a row, for loops that take a word's worth at a time.
+// Pixels for loops that take a mask's word at a time.
 
 #include <algorithm>
 #include <array>
@@ -11,9 +11,12 @@
 
 namespace markservo::mark_detector {
 
-using PixelBlock = std::array<std::uint8_t, std::size_t{3} * imaging::BitMask::kWordBits>;  // 8-bit BGR
+inline constexpr int kBlock = imaging::BitMask::kWordBits;  // pixels
 
-// A copy in `block` of the `count` pixels, fewer than a word's, black behind them; the pixels to work on.
+using PixelBlock = std::array<std::uint8_t, std::size_t{3} * kBlock>;  // 8-bit BGR
+
+// A copy in `block` of the last `count` pixels of a row, fewer than a block's, black behind them; the pixels to work
+// on.
 inline const std::uint8_t* pad_block(const std::uint8_t* bgr, int count, PixelBlock& block) {
   block.fill(0);
   std::copy_n(bgr, 3 * static_cast<std::size_t>(count), block.begin());
