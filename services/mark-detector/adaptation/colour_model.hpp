@@ -4,48 +4,30 @@
 //
 // Light changes by a gain and a cast, that is by one gain a channel (von Kries). Each mark's colour is predicted from
 // frame to frame by the gains that the whole image shows (light_change.hpp), and drawn to what its pixels measure
-// whenever both images see it and agree. From it follows the interval in use: the nominal one, turned and relaxed by no
-// more than is needed for the mark's colour, over the range of its print's brightness and clipped at 255 as the camera
-// clips it, to lie well inside. A colour that lies well inside the nominal interval leaves it as it is.
+// (colour_measurement.hpp) whenever both images see it and agree. From it follows the interval in use
+// (interval_adaptation.hpp). A colour that lies well inside the nominal interval leaves it as it is.
 
-#include <array>
-#include <cstddef>
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
+#include "services/mark-detector/adaptation/colour_measurement.hpp"
+#include "services/mark-detector/adaptation/interval_adaptation.hpp"
 #include "services/mark-detector/adaptation/light_change.hpp"
+#include "services/mark-detector/adaptation/mark_colour.hpp"
 #include "services/mark-detector/blobs/region.hpp"
 #include "services/mark-detector/colour/colour_classifier.hpp"
-#include "services/mark-detector/colour/hue.hpp"
 #include "services/mark-detector/image_view.hpp"
 
 namespace markservo::mark_detector {
 
 struct ColourModelParameters {
   LightChangeParameters light;
-  double noise = 3.0;           // levels, sigma of the camera's noise
-  double hue_margin_deg = 8.0;  // how far inside its interval a colour must lie, besides twice the noise's turn
-  double hue_margin_max_deg = 20.0;
-  double saturation_margin = 0.08;    // likewise, besides twice the noise
-  double saturation_share = 0.5;      // of the nominal least saturation: below it, pale things of the same hue come in
-  double value_share = 0.8;           // of the darkest print's value that still passes
-  double turn_max_deg = 35.0;         // past an end of the nominal interval: blue that clips turns by 30 degrees
-  double gap_deg = 4.0;               // kept between two marks' intervals
+  ColourMeasurementParameters measurement;
+  IntervalParameters interval;
   double hue_jump_max_deg = 12.0;     // from a sure prediction: further off is a thing of a similar colour
   double saturation_jump_max = 0.15;  // likewise; the two make an ellipse
   double smoothing = 0.4;             // share of a new measurement; the prediction brings sudden changes
   int memory_frames = 300;            // for which the colour of a mark that is not seen is predicted: 10 s at 30 Hz
-  int samples_per_side = 16;          // rows and columns looked at of the window around a mark
-  int least_samples = 12;             // unclipped pixels that make a measurement
-};
-
-// What is known of one mark's colour.
-struct MarkColour {
-  bool known = false;    // seen within the memory
-  int age = 0;           // frames since it was seen
-  bool certain = false;  // the light's change could be told in all of them
-  Bgr mean{};            // levels as the camera would show them if it did not clip
-  double spread = 0.0;   // standard deviation of the print's brightness, share of the mean
 };
 
 // Memory from frame to frame; its room is used again.
@@ -73,30 +55,12 @@ class ColourModel {
                const Region& in_right, ColourState& state) const;
 
  private:
-  struct Nominal {
-    robot::ColourInterval interval;
-    double low = 0.0;   // degrees, [0, 360)
-    double high = 0.0;  // degrees, above low
-    bool fixed = false;
-    bool shares_hue = false;  // with another mark: told apart by saturation or value, which then stay
-    Bgr colour{};             // levels, in the middle
-  };
-  // Hues that a mark needs, and those in use: degrees, unwrapped, about its nominal interval.
-  struct Range {
-    double needed_low = 0.0;
-    double needed_high = 0.0;
-    double low = 0.0;
-    double high = 0.0;
-  };
-
   void predict(const LightChange& change, ColourState& state) const;
-  Range adapt(const Nominal& nominal, const MarkColour& mark, const Bgr& light, robot::ColourInterval& interval) const;
-  using Ranges = std::array<Range, robot::kMaxMarks>;
-  void keep_apart(Ranges& ranges) const;
+  bool jumps(const MarkColour& predicted, const ColourMeasurement& measured) const;
 
   ColourModelParameters parameters_;
   int chroma_min_;
-  std::vector<Nominal> nominal_;
+  std::vector<NominalColour> nominal_;
 };
 
 }  // namespace markservo::mark_detector

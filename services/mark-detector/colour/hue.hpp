@@ -12,6 +12,8 @@ namespace markservo::mark_detector {
 using Bgr = std::array<double, 3>;  // blue, green, red: levels, or gains of the channels
 
 inline constexpr double kFullTurn_deg = 360.0;
+inline constexpr double kWhiteLevel = 255.0;  // level
+inline constexpr int kDarkLevel = 20;         // level of the brightest channel; below it chromaticity is noise
 
 // The angle within [0, 360).
 inline double wrapped(double angle_deg) {
@@ -22,6 +24,12 @@ inline double wrapped(double angle_deg) {
 // The angle within [-180, 180).
 inline double signed_angle(double angle_deg) {
   return wrapped(angle_deg + 0.5 * kFullTurn_deg) - 0.5 * kFullTurn_deg;
+}
+
+// How far the second interval's low end is above the first's high end, going up from the first's middle; degrees.
+inline double hue_gap(double low_1, double high_1, double low_2, double high_2) {
+  const double between_middles = wrapped(0.5 * (low_2 + high_2) - 0.5 * (low_1 + high_1));
+  return between_middles - 0.5 * (high_1 - low_1) - 0.5 * (high_2 - low_2);
 }
 
 struct Hsv {

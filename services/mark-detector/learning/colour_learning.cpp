@@ -12,7 +12,6 @@
 namespace markservo::mark_detector {
 namespace {
 
-constexpr double kWhite = 255.0;
 constexpr std::size_t kHueBins = 360;  // one a degree
 
 struct Pixel {
@@ -52,7 +51,7 @@ Pixels gather(const std::vector<LearningPicture>& pictures, const LearningParame
         if (hsv.value >= parameters.clipped && !with_clipped) continue;
         const double brightening = shift[static_cast<std::size_t>(luma(p[0], p[1], p[2]))];
         pixels.coloured.push_back(
-            {hsv.hue_deg, hsv.saturation, std::min(kWhite, hsv.value + brightening) / kWhite, weight});
+            {hsv.hue_deg, hsv.saturation, std::min(kWhiteLevel, hsv.value + brightening) / kWhiteLevel, weight});
       }
     }
   }
