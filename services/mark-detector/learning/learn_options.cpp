@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/mark-detector/learning/colour_learning.hpp"
 #include "services/mark-detector/learning/file_replacement.hpp"
 #include "services/mark-detector/learning/robot_file_edit.hpp"
 #include "services/mark-detector/picture/picture.hpp"
@@ -79,7 +78,7 @@ void LearnOptions::check() const {
   }
 }
 
-void LearnOptions::run(const std::string& robot_file, const Parameters& parameters) const {
+void LearnOptions::run(const std::string& robot_file, const LearningParameters& parameters) const {
   const robot::RobotDescription robot = robot::load_robot_description(robot_file);
   const robot::MarkDescription& mark = find(robot, mark_, robot_file);
   std::vector<cv::Mat> images;  // owns the pixels
@@ -91,10 +90,7 @@ void LearnOptions::run(const std::string& robot_file, const Parameters& paramete
     require_inside(box, box_text, images.back(), images_[i]);
     pictures.push_back({view_of(images.back()), box.x, box.y, box.width, box.height});
   }
-  LearningParameters learning;
-  learning.equalise = parameters.equalise;
-  learning.chroma_min = parameters.chroma_min;
-  const LearnedColour learned = learn_colour(pictures, learning);
+  const LearnedColour learned = learn_colour(pictures, parameters);
   if (!learned.failure.empty())
     throw ConfigurationError("--box: " + learned.failure + "; '" + mark_ + "' stays as it is");
 

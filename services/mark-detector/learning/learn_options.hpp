@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "services/mark-detector/mark_detector.hpp"
+#include "services/mark-detector/learning/colour_learning.hpp"
 
 namespace markservo::mark_detector {
 
@@ -20,9 +20,9 @@ class LearnOptions {
   // Throws ConfigurationError if the options do not go together.
   void check() const;
 
-  // Measures as a detector with `parameters` sees, writes the file, prints the old and the new interval, and warns on
-  // the standard error of marks that are no longer told apart. Throws ConfigurationError, and the file is as it was.
-  void run(const std::string& robot_file, const Parameters& parameters) const;
+  // Measures, writes the file, prints the old and the new interval, and warns on the standard error of marks that are
+  // no longer told apart. Throws ConfigurationError, and the file is as it was.
+  void run(const std::string& robot_file, const LearningParameters& parameters) const;
 
  private:
   std::string mark_;

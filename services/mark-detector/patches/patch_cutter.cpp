@@ -1,33 +1,11 @@
 #include "services/mark-detector/patches/patch_cutter.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 namespace markservo::mark_detector {
 namespace {
-
-constexpr int kReservedSide = 32;  // patch pixels a side that even the least important mark gets
-
-// A scale that can be had, and what both patches take; 0 for none.
-struct Fit {
-  int scale = 0;
-  std::int64_t bytes = 0;
-};
-
-struct Span {
-  int begin = 0;
-  int count = 0;  // patch pixels
-};
-
-// Whole patch pixels over [box_begin - margin, box_end + margin), inside [0, size).
-Span cover(int box_begin, int box_end, int margin, int scale, int size) {
-  const int begin = std::max(0, box_begin - margin);
-  const int end = std::min(size, box_end + margin);
-  Span span;
-  span.count = std::min((end - begin + scale - 1) / scale, size / scale);
-  span.begin = std::min(begin, size - span.count * scale);
-  return span;
-}
 
 // At scale 1: the image's own pixels, the region's own bits.
 void copy_patch(const ImageView& image, const Region& mark, Patch& patch) {
@@ -102,69 +80,32 @@ void average_row(const std::uint32_t* in, std::size_t width, int any_scale, std:
   }
 }
 
+}  // namespace
+
 // At a larger scale: averages, and pixels of which half or more is mark.
-void average_patch(const ImageView& image, const Region& mark, Patch& patch) {
+void PatchCutter::average(const ImageView& image, const Region& mark, Patch& patch) {
   const auto width = static_cast<std::size_t>(patch.width);
   const std::size_t mask_stride = (width + 7) / 8;
   const auto half = static_cast<std::uint32_t>((patch.scale * patch.scale + 1) / 2);
-  patch.column_sums.resize(3 * width * static_cast<std::size_t>(patch.scale));
-  patch.mark_counts.resize(width);
-  const auto average = patch.scale == 2 ? average_row<2> : patch.scale == 3 ? average_row<3> : average_row<0>;
+  column_sums_.resize(3 * width * static_cast<std::size_t>(patch.scale));
+  mark_counts_.resize(width);
+  const auto average_along = patch.scale == 2 ? average_row<2> : patch.scale == 3 ? average_row<3> : average_row<0>;
   const auto count = patch.scale <= BitMask::kWordBits / 2 ? count_mark_by_words : count_mark;
   for (int j = 0; j < patch.height; ++j) {
     const int top = patch.y + j * patch.scale;
     const auto row = static_cast<std::size_t>(j);
-    sum_rows(image.pixel(patch.x, top), image.stride, patch.scale, patch.column_sums);
-    average(patch.column_sums.data(), width, patch.scale, &patch.bgr[3 * width * row]);
-    std::fill(patch.mark_counts.begin(), patch.mark_counts.end(), 0U);
-    for (int v = top; v < top + patch.scale; ++v) count(mark, patch.x, v, patch.scale, patch.mark_counts);
+    sum_rows(image.pixel(patch.x, top), image.stride, patch.scale, column_sums_);
+    average_along(column_sums_.data(), width, patch.scale, &patch.bgr[3 * width * row]);
+    std::fill(mark_counts_.begin(), mark_counts_.end(), 0U);
+    for (int v = top; v < top + patch.scale; ++v) count(mark, patch.x, v, patch.scale, mark_counts_);
     std::uint8_t* bits = &patch.mask[mask_stride * row];
     for (std::size_t i = 0; i < width; ++i) {
-      bits[i / 8] = static_cast<std::uint8_t>(bits[i / 8] | (unsigned{patch.mark_counts[i] >= half} << (i % 8)));
+      bits[i / 8] = static_cast<std::uint8_t>(bits[i / 8] | (unsigned{mark_counts_[i] >= half} << (i % 8)));
     }
   }
 }
 
-}  // namespace
-
-PatchFrame frame_patch(const Shape& box, const PatchParameters& parameters, int scale, int image_width,
-                       int image_height) {
-  const int margin = std::max(parameters.margin, parameters.margin_pixels * scale);
-  const Span columns = cover(box.x, box.x + box.width, margin, scale, image_width);
-  const Span rows = cover(box.y, box.y + box.height, margin, scale, image_height);
-  return {columns.begin, rows.begin, scale, columns.count, rows.count};
-}
-
-void plan_scales(const std::vector<PatchRequest>& requests, const PatchParameters& parameters, int image_width,
-                 int image_height, PatchPlan& plan) {
-  const int greatest = std::max(1, std::min(image_width, image_height));
-  // The least scale whose patches have at most `side` px and together at most `budget` bytes.
-  const auto fit = [&](const PatchRequest& request, int side, std::int64_t budget) {
-    for (int scale = 1; scale <= greatest; ++scale) {
-      const PatchFrame left = frame_patch(request.left, parameters, scale, image_width, image_height);
-      const PatchFrame right = frame_patch(request.right, parameters, scale, image_width, image_height);
-      if (std::max({left.width, left.height, right.width, right.height}) > side) continue;
-      const std::int64_t bytes = left.bytes() + right.bytes();
-      if (bytes <= budget) return Fit{scale, bytes};
-    }
-    return Fit{};
-  };
-
-  plan.reserved.clear();
-  std::int64_t left_over = parameters.budget;
-  for (const PatchRequest& request : requests) {
-    plan.reserved.push_back(fit(request, std::min(kReservedSide, parameters.limit), left_over).bytes);
-    left_over -= plan.reserved.back();
-  }
-  plan.scales.clear();
-  for (std::size_t i = 0; i < requests.size(); ++i) {
-    const Fit best = fit(requests[i], parameters.limit, left_over + plan.reserved[i]);
-    left_over += plan.reserved[i] - best.bytes;
-    plan.scales.push_back(best.scale);
-  }
-}
-
-void cut_patch(const ImageView& image, const Region& mark, const PatchFrame& frame, Patch& patch) {
+void PatchCutter::cut(const ImageView& image, const Region& mark, const PatchFrame& frame, Patch& patch) {
   patch.x = frame.x;
   patch.y = frame.y;
   patch.scale = frame.scale;
@@ -178,7 +119,7 @@ void cut_patch(const ImageView& image, const Region& mark, const PatchFrame& fra
   if (frame.scale == 1) {
     copy_patch(image, mark, patch);
   } else {
-    average_patch(image, mark, patch);
+    average(image, mark, patch);
   }
 }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "services/mark-detector/blobs/hole_filler.hpp"
+#include "services/mark-detector/views/view_finder.hpp"
+
 namespace markservo::mark_detector {
 namespace {
 
@@ -55,7 +58,7 @@ void add_masks(const std::string& name, const View& view, const BlobList& blobs,
   if (!all_blobs) return;
   for (std::size_t i = 0; i < std::min(kMaxBlobMasks, blobs.blobs.size()); ++i) {
     const Blob& blob = blobs.blobs[i];
-    const auto hole = static_cast<std::int64_t>(Parameters{}.hole_fraction * blob.shape.area);
+    const auto hole = static_cast<std::int64_t>(ViewParameters{}.hole_fraction * blob.shape.area);
     HoleFiller filler;
     std::vector<PixelRun> runs;
     filler.fill(blobs.runs_of(blob), hole, runs);

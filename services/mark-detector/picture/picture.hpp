@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "services/mark-detector/mark_detector.hpp"
+#include "services/mark-detector/detector_output.hpp"
+#include "services/mark-detector/image_view.hpp"
 
 namespace markservo::mark_detector {
 

@@ -20,16 +20,8 @@ std::string text(const char* format, Values... values) {
   return buffer;
 }
 
-// Squared distance of a pair from where the mark was, px^2.
-double distance_2(const Shape& left, const Shape& right, const LastSeen& last) {
-  const double du_left = left.u - last.u_left;
-  const double dv = left.v - last.v_left;
-  const double du_right = right.u - last.u_right;
-  return du_left * du_left + dv * dv + du_right * du_right;
-}
-
 // The blob of one image alone: nearest to (u, v), or the largest.
-std::size_t select_single(const std::vector<Blob>& blobs, const std::optional<LastSeen>& last, bool is_left) {
+std::size_t select_single(const std::vector<Blob>& blobs, const std::optional<PairPlace>& last, bool is_left) {
   if (!last) return 0;
   const double u = is_left ? last->u_left : last->u_right;
   const auto distance = [&](const Blob& blob) { return std::hypot(blob.shape.u - u, blob.shape.v - last->v_left); };
@@ -111,7 +103,7 @@ std::string inconsistency(const Shape& left, const Shape& right, const Selection
 }
 
 Selection select_pair(const std::vector<Blob>& left, const std::vector<Blob>& right, const SelectionContext& context,
-                      const std::optional<LastSeen>& last, const SelectionParameters& parameters) {
+                      const std::optional<PairPlace>& last, const SelectionParameters& parameters) {
   Selection selection;
   if (left.empty() || right.empty()) {
     if (!left.empty()) selection.left = select_single(left, last, true);
@@ -124,7 +116,7 @@ Selection select_pair(const std::vector<Blob>& left, const std::vector<Blob>& ri
     for (std::size_t r = 0; r < std::min(limit, right.size()); ++r) {
       const Shape& a = left[l].shape;
       const Shape& b = right[r].shape;
-      const double score = last ? -distance_2(a, b, *last) : a.area + b.area;
+      const double score = last ? -distance_2(place_of(a, b), *last) : a.area + b.area;
       if (score <= best || judge(a, b, context, parameters).contradiction != Contradiction::kNone) continue;
       best = score;
       selection.left = l;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "services/mark-detector/blobs/blobs.hpp"
+#include "services/mark-detector/views/pair_place.hpp"
 
 namespace markservo::mark_detector {
 
@@ -29,13 +30,6 @@ struct SelectionContext {
   int image_height = 0;                     // px
 };
 
-// Where the mark was, px.
-struct LastSeen {
-  double u_left = 0.0;
-  double v_left = 0.0;
-  double u_right = 0.0;
-};
-
 struct Selection {
   std::optional<std::size_t> left;  // index of the blob
   std::optional<std::size_t> right;
@@ -49,6 +43,6 @@ std::string inconsistency(const Shape& left, const Shape& right, const Selection
 // Of the consistent pairs the one nearest to `last`, or, without it, the one with most pixels. With blobs in one image
 // only, that image's nearest or largest; with blobs in both of which no two agree, none. Blobs come the largest first.
 Selection select_pair(const std::vector<Blob>& left, const std::vector<Blob>& right, const SelectionContext& context,
-                      const std::optional<LastSeen>& last, const SelectionParameters& parameters);
+                      const std::optional<PairPlace>& last, const SelectionParameters& parameters);
 
 }  // namespace markservo::mark_detector

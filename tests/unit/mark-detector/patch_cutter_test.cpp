@@ -96,7 +96,7 @@ TEST(PatchPlan, GivesNoneWhereNothingFits) {
 
 Patch cut_patch(const ImageView& image, const Region& mark, const PatchFrame& frame) {
   Patch patch;
-  mark_detector::cut_patch(image, mark, frame, patch);
+  PatchCutter().cut(image, mark, frame, patch);
   return patch;
 }
 
