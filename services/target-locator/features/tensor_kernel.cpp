@@ -24,53 +24,6 @@ constexpr float kMiddle = 0.40261995F;
 constexpr float kNear = 0.24420134F;
 constexpr float kFar = 0.05448868F;
 
-void FillGradients(const PlaneImage& image, bool zero_border, Gradients& gradients) {
-  const Floats d;
-  const int n = static_cast<int>(hn::Lanes(d));
-  const int w = image.width;
-  const int h = image.height;
-  // A row's last vector may reach into the room before the row after it.
-  PlaneImage& lines = gradients.lines;
-  lines.resize(w, 6);
-  std::array<float*, 3> three = {lines.row(0), lines.row(1), lines.row(2)};
-  float* const smooth = lines.row(3);
-  float* const rise = lines.row(5);
-  const auto load = [&](int y, float* line) {
-    const bool outside = zero_border && (y < 0 || y >= h);
-    const float* in = image.row(std::clamp(y, 0, h - 1));
-    if (outside) {
-      std::fill(line - 1, line + w + 1, 0.0F);
-      return;
-    }
-    std::copy(in, in + w, line);
-    line[-1] = zero_border ? 0.0F : in[0];
-    line[w] = zero_border ? 0.0F : in[w - 1];
-  };
-  load(-1, three[0]);
-  load(0, three[1]);
-  const auto two = hn::Set(d, 2.0F);
-  const auto eighth = hn::Set(d, 0.125F);
-  for (int y = 0; y < h; ++y) {
-    load(y + 1, three[2]);
-    // From one pixel before the row to one behind it, whole vectors.
-    for (int x = -1; x < w + 1; x += n) {
-      const auto above = hn::LoadU(d, three[0] + x);
-      const auto here = hn::LoadU(d, three[1] + x);
-      const auto below = hn::LoadU(d, three[2] + x);
-      hn::StoreU(hn::MulAdd(two, here, hn::Add(above, below)), d, smooth + x);
-      hn::StoreU(hn::Sub(below, above), d, rise + x);
-    }
-    float* gc = gradients.column.row(y);
-    float* gr = gradients.row.row(y);
-    for (int x = 0; x < w; x += n) {
-      hn::StoreU(hn::Mul(eighth, hn::Sub(hn::LoadU(d, smooth + x + 1), hn::LoadU(d, smooth + x - 1))), d, gc + x);
-      const auto beside = hn::Add(hn::LoadU(d, rise + x - 1), hn::LoadU(d, rise + x + 1));
-      hn::StoreU(hn::Mul(eighth, hn::MulAdd(two, hn::LoadU(d, rise + x), beside)), d, gr + x);
-    }
-    std::rotate(three.begin(), three.begin() + 1, three.end());
-  }
-}
-
 template <class V>
 HWY_INLINE V smooth(V far_before, V before, V middle, V behind, V far_behind) {
   const Floats d;
@@ -79,69 +32,78 @@ HWY_INLINE V smooth(V far_before, V before, V middle, V behind, V far_behind) {
   return hn::MulAdd(hn::Set(d, kFar), hn::Add(far_before, far_behind), sum);
 }
 
-// Beyond the border gradients are 0.
-void FillMeasures(const Gradients& gradients, float trace_floor, CornerMeasures& measures) {
+constexpr std::size_t kProducts = 3;            // of gradients: column column, column row, row row
+constexpr std::size_t kRing = 2 * kRadius + 1;  // rows that are smoothed at once
+using ProductRows = std::array<float*, kProducts>;
+
+// The products of a row's gradients, smoothed along it. Beyond the border gradients are 0. The first rows of `lines`
+// are room.
+HWY_INLINE void smooth_products(const float* gc, const float* gr, int w, PlaneImage& lines, const ProductRows& out) {
   const Floats d;
   const int n = static_cast<int>(hn::Lanes(d));
+  for (int x = 0; x < w; x += n) {
+    const auto c = hn::LoadU(d, gc + x);
+    const auto r = hn::LoadU(d, gr + x);
+    hn::StoreU(hn::Mul(c, c), d, lines.row(0) + x);
+    hn::StoreU(hn::Mul(c, r), d, lines.row(1) + x);
+    hn::StoreU(hn::Mul(r, r), d, lines.row(2) + x);
+  }
+  for (std::size_t p = 0; p < kProducts; ++p) {
+    float* in = lines.row(static_cast<int>(p));
+    for (int k = 0; k < kRadius; ++k) in[w + k] = in[-1 - k] = 0.0F;
+    for (int x = 0; x < w; x += n) {
+      hn::StoreU(smooth(hn::LoadU(d, in + x - 2), hn::LoadU(d, in + x - 1), hn::LoadU(d, in + x),
+                        hn::LoadU(d, in + x + 1), hn::LoadU(d, in + x + 2)),
+                 d, out[p] + x);
+    }
+  }
+}
+
+// Weight and roundness of a row, from the products of it and of the rows above and below.
+HWY_INLINE void measure_row(const std::array<ProductRows, kRing>& ring, float trace_floor, int w, float* weight,
+                            float* roundness) {
+  const Floats d;
+  const int n = static_cast<int>(hn::Lanes(d));
+  const auto floor = hn::Set(d, trace_floor);
+  const auto zero = hn::Zero(d);
+  for (int x = 0; x < w; x += n) {
+    const auto down = [&](std::size_t p) {
+      return smooth(hn::LoadU(d, ring[0][p] + x), hn::LoadU(d, ring[1][p] + x), hn::LoadU(d, ring[2][p] + x),
+                    hn::LoadU(d, ring[3][p] + x), hn::LoadU(d, ring[4][p] + x));
+    };
+    const auto c = down(0);
+    const auto b = down(1);
+    const auto a = down(2);
+    const auto trace = hn::Add(a, c);
+    const auto determinant = hn::Max(zero, hn::NegMulAdd(b, b, hn::Mul(a, c)));
+    const auto textured = hn::And(hn::Ge(trace, floor), hn::Gt(trace, zero));
+    const auto inverse = hn::IfThenElseZero(textured, hn::Div(hn::Set(d, 1.0F), trace));
+    const auto w_here = hn::Mul(determinant, inverse);
+    hn::StoreU(w_here, d, weight + x);
+    hn::StoreU(hn::Mul(hn::Set(d, 4.0F), hn::Mul(w_here, inverse)), d, roundness + x);
+  }
+}
+
+void FillMeasures(const Gradients& gradients, float trace_floor, CornerMeasures& measures) {
   const int w = gradients.column.width;
   const int h = gradients.column.height;
-  constexpr std::size_t kProducts = 3;
-  constexpr std::size_t kRing = 2 * kRadius + 1;
   PlaneImage& lines = measures.lines;
   lines.resize(w, static_cast<int>(kProducts * (1 + kRing)));
-  std::array<std::array<float*, kProducts>, kRing> ring{};
+  std::array<ProductRows, kRing> ring{};
   for (std::size_t k = 0; k < kRing; ++k) {
     for (std::size_t p = 0; p < kProducts; ++p) {
       ring[k][p] = lines.row(static_cast<int>(kProducts * (1 + k) + p));
       std::fill(ring[k][p], ring[k][p] + w, 0.0F);
     }
   }
-  const auto floor = hn::Set(d, trace_floor);
-  const auto zero = hn::Zero(d);
   for (int y = -kRadius; y < h; ++y) {
     const int next = y + kRadius;
     if (next < h) {
-      const float* gc = gradients.column.row(next);
-      const float* gr = gradients.row.row(next);
-      for (int x = 0; x < w; x += n) {
-        const auto c = hn::LoadU(d, gc + x);
-        const auto r = hn::LoadU(d, gr + x);
-        hn::StoreU(hn::Mul(c, c), d, lines.row(0) + x);
-        hn::StoreU(hn::Mul(c, r), d, lines.row(1) + x);
-        hn::StoreU(hn::Mul(r, r), d, lines.row(2) + x);
-      }
-      for (std::size_t p = 0; p < kProducts; ++p) {
-        float* in = lines.row(static_cast<int>(p));
-        for (int k = 0; k < kRadius; ++k) in[w + k] = in[-1 - k] = 0.0F;
-        for (int x = 0; x < w; x += n) {
-          hn::StoreU(smooth(hn::LoadU(d, in + x - 2), hn::LoadU(d, in + x - 1), hn::LoadU(d, in + x),
-                            hn::LoadU(d, in + x + 1), hn::LoadU(d, in + x + 2)),
-                     d, ring[kRing - 1][p] + x);
-        }
-      }
+      smooth_products(gradients.column.row(next), gradients.row.row(next), w, lines, ring[kRing - 1]);
     } else {
       for (float* row : ring[kRing - 1]) std::fill(row, row + w, 0.0F);
     }
-    if (y >= 0) {
-      float* weight = measures.weight.row(y);
-      float* roundness = measures.roundness.row(y);
-      for (int x = 0; x < w; x += n) {
-        const auto down = [&](std::size_t p) {
-          return smooth(hn::LoadU(d, ring[0][p] + x), hn::LoadU(d, ring[1][p] + x), hn::LoadU(d, ring[2][p] + x),
-                        hn::LoadU(d, ring[3][p] + x), hn::LoadU(d, ring[4][p] + x));
-        };
-        const auto c = down(0);
-        const auto b = down(1);
-        const auto a = down(2);
-        const auto trace = hn::Add(a, c);
-        const auto determinant = hn::Max(zero, hn::NegMulAdd(b, b, hn::Mul(a, c)));
-        const auto textured = hn::And(hn::Ge(trace, floor), hn::Gt(trace, zero));
-        const auto inverse = hn::IfThenElseZero(textured, hn::Div(hn::Set(d, 1.0F), trace));
-        const auto w_here = hn::Mul(determinant, inverse);
-        hn::StoreU(w_here, d, weight + x);
-        hn::StoreU(hn::Mul(hn::Set(d, 4.0F), hn::Mul(w_here, inverse)), d, roundness + x);
-      }
-    }
+    if (y >= 0) measure_row(ring, trace_floor, w, measures.weight.row(y), measures.roundness.row(y));
     std::rotate(ring.begin(), ring.begin() + 1, ring.end());
   }
 }
@@ -204,13 +166,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace markservo::target_locator {
 
-HWY_EXPORT(FillGradients);
 HWY_EXPORT(FillMeasures);
 HWY_EXPORT(FindMaxima);
-
-void fill_gradients(const PlaneImage& image, bool zero_border, Gradients& gradients) {
-  HWY_DYNAMIC_DISPATCH(FillGradients)(image, zero_border, gradients);
-}
 
 void fill_measures(const Gradients& gradients, float trace_floor, CornerMeasures& measures) {
   HWY_DYNAMIC_DISPATCH(FillMeasures)(gradients, trace_floor, measures);

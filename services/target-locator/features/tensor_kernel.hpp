@@ -8,8 +8,7 @@
 
 namespace markservo::target_locator {
 
-// As sobel_gradients and foerstner; what they fill has the image's size.
-void fill_gradients(const PlaneImage& image, bool zero_border, Gradients& gradients);
+// As foerstner; what it fills has the image's size.
 void fill_measures(const Gradients& gradients, float trace_floor, CornerMeasures& measures);
 
 // The local maxima (3 x 3) of a row `y` of the weight among the pixels of `inside` (words of the mask's row) with

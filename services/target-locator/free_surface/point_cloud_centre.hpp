@@ -6,7 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "services/target-locator/mark_observation.hpp"
+#include "common/geometry/stereo_camera.hpp"
+#include "services/target-locator/location.hpp"
 
 namespace markservo::target_locator {
 

@@ -7,9 +7,7 @@ namespace markservo::target_locator {
 namespace {
 
 constexpr ColourMap kGreyAxis{{0.17F, 0.88F, 0.45F}, 0.0F};  // luma's shares of B, G, R at unit length
-constexpr int kEdgeMargin = 2;       // patch px on either side of the outline that belong to neither class
-constexpr int kRingReach = 5;        // patch px, how far the ring of surroundings reaches
-constexpr int kRowStep = 2;          // rows looked at for colours: neighbours repeat each other
+constexpr int kRowStep = 2;                                  // rows looked at for colours: neighbours repeat each other
 constexpr double kSameColour = 6.0;  // grey levels between mark and ring below which no outline can be measured
 
 using imaging::ColourSums;
@@ -28,42 +26,8 @@ Eigen::Matrix3d covariance_of(const ColourSums& sums) {
 
 }  // namespace
 
-void unpack_mask(const Patch& patch, Mask& mask) {
-  mask.reset(patch.width, patch.height);
-  const int bytes = (patch.width + 7) / 8;
-  const int spare = patch.width % Mask::kWordBits;
-  for (int y = 0; y < patch.height; ++y) {
-    std::uint64_t* words = mask.row(y);
-    const std::uint8_t* bits = patch.mask + static_cast<std::ptrdiff_t>(y) * bytes;
-    std::uint8_t any = 0;
-    for (int i = 0; i < bytes; ++i) {
-      words[i / 8] |= static_cast<std::uint64_t>(bits[i]) << (i % 8 * 8);
-      any |= bits[i];
-    }
-    if (any == 0) mask.declare_empty(y);
-    if (spare > 0) words[mask.words_per_row() - 1] &= imaging::low_bits(spare);
-  }
-}
-
-Mask unpack_mask(const Patch& patch) {
-  Mask mask;
-  unpack_mask(patch, mask);
-  return mask;
-}
-
-void prepare_masks(const Patch& patch, MarkMasks& masks) {
-  unpack_mask(patch, masks.mask);
-  imaging::erode(masks.mask, kEdgeMargin, masks.inner);
-}
-
 MarkColours mark_colours(const Patch& patch, MarkMasks& masks) {
-  imaging::dilate(masks.mask, kEdgeMargin, masks.ring);
-  imaging::dilate(masks.mask, kRingReach, masks.reach);
-  for (int y = 0; y < masks.ring.height(); ++y) {
-    std::uint64_t* ring = masks.ring.row(y);
-    const std::uint64_t* all = static_cast<const Mask&>(masks.reach).row(y);
-    for (int i = 0; i < masks.ring.words_per_row(); ++i) ring[i] = all[i] & ~ring[i];
-  }
+  make_ring(masks);
   MarkColours colours;
   const std::ptrdiff_t stride = std::ptrdiff_t{3} * patch.width;
   imaging::add_colours(patch.bgr, stride, masks.inner, kRowStep, colours.inside);

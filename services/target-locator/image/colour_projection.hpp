@@ -6,31 +6,17 @@
 #include <cstdint>
 
 #include "common/imaging/colour_sums.hpp"
-#include "services/target-locator/image/projection_kernel.hpp"
+#include "services/target-locator/image/image_kernel.hpp"
+#include "services/target-locator/image/mark_masks.hpp"
 #include "services/target-locator/mark_observation.hpp"
 
 namespace markservo::target_locator {
-
-// The mark's mask with its rows in words. `mask` keeps its memory.
-void unpack_mask(const Patch& patch, Mask& mask);
-Mask unpack_mask(const Patch& patch);
 
 // What a patch's mark and its surroundings look like; of every other row.
 struct MarkColours {
   imaging::ColourSums inside;  // well inside the mask
   imaging::ColourSums around;  // in a ring around it
 };
-
-// A mark's mask and what is well inside of it.
-struct MarkMasks {
-  Mask mask;
-  Mask inner;  // without the pixels at the outline that may show the background
-  Mask ring;   // the surroundings, a few pixels away and a few pixels wide
-  Mask reach;  // the mask, these few pixels, and the ring
-};
-
-// Unpacks the patch's mask and makes the inner one; they keep their memory.
-void prepare_masks(const Patch& patch, MarkMasks& masks);
 
 // Of prepared masks; makes the ring.
 MarkColours mark_colours(const Patch& patch, MarkMasks& masks);

@@ -2,6 +2,7 @@
 
 // Sampling the right image along the left image's rows.
 
+#include "services/target-locator/image/patch_frame.hpp"
 #include "services/target-locator/image/plane_image.hpp"
 
 namespace markservo::target_locator {

@@ -9,6 +9,7 @@
 // with m and b the means of the pixels nearby that surely are mark and surely are not. A pixel that lies beside the
 // line from b to m is no blend of the two, because another object is near: it stays as classified.
 
+#include "services/target-locator/image/plane_image.hpp"
 #include "services/target-locator/mark_observation.hpp"
 
 namespace markservo::target_locator {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A grey image of floats and where its pixels lie in the camera's image.
+// A grey image of floats, and the mask of a mark.
 
 #include <algorithm>
 #include <cstddef>
@@ -9,19 +9,6 @@
 #include "common/imaging/bit_mask.hpp"
 
 namespace markservo::target_locator {
-
-// Where the pixels of a cut-out lie in the image it was cut from, by area-averaging `scale` x `scale` pixels each.
-// Pixel centres are at integers in both.
-struct PatchFrame {
-  double x = 0.0;      // px of the image, leftmost column covered
-  double y = 0.0;      // px of the image, topmost row covered
-  double scale = 1.0;  // image pixels per patch pixel, above 0
-
-  double u_of(double column) const { return x + (column + 0.5) * scale - 0.5; }
-  double v_of(double row) const { return y + (row + 0.5) * scale - 0.5; }
-  double column_of(double u) const { return (u - x + 0.5) / scale - 0.5; }
-  double row_of(double v) const { return (v - y + 0.5) / scale - 0.5; }
-};
 
 // Grey values, 0..255 or any linear combination of colours. Around each row there is room that vectors may read and
 // write: kRoom pixels before column 0 and behind the last column, of no meaning.

@@ -6,17 +6,16 @@
 #include <array>
 #include <optional>
 
-#include "services/target-locator/mark_observation.hpp"
+#include "services/target-locator/image/patch_frame.hpp"
+#include "services/target-locator/image/plane_image.hpp"
+#include "services/target-locator/outline/square_side.hpp"
 
 namespace markservo::target_locator {
 
 struct OutlineParameters {
   double min_squareness = 0.5;     // fourth moment of the mask's shape, 1 for a square, 0 for a disc
-  double corner_share = 0.12;      // of each side's length left out at either end
-  double min_span = 0.35;          // step of the contrast across the outline, 1 being the average
-  double min_good_share = 0.6;     // of a side's points on its line
-  double max_rms_px = 0.6;         // patch px, of a side's points about its line
   double centre_floor_px = 0.025;  // patch px, what is left of the centre's error whatever the scatter
+  SideParameters side;
 };
 
 struct SquareOutline {

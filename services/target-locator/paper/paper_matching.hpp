@@ -3,10 +3,12 @@
 // The paper's matching as it stands, kept as the baseline to compare with.
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
+#include "common/geometry/stereo_camera.hpp"
 #include "services/target-locator/features/features.hpp"
+#include "services/target-locator/image/gradients.hpp"
+#include "services/target-locator/location.hpp"
 #include "services/target-locator/mark_observation.hpp"
 
 namespace markservo::target_locator {

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <vector>
 
 #include "services/target-locator/plane/plane_template.hpp"
 
@@ -31,20 +30,13 @@ struct PlaneAlignment {
   double inlier_share = 0.0;                             // of the pixels
 };
 
-// Left pixels to fit to: few, and about all.
-struct PlaneTemplates {
-  PlaneTemplate rough;
-  PlaneTemplate all;
-  std::vector<float> warped;  // what the right view shows at those worked on last
-  std::vector<float> residual;
-};
-
 // Of the masked pixels; `pixels` keeps its memory.
 void make_templates(const StereoPatch& patch, const Mask& mask, const AlignmentParameters& parameters,
                     PlaneTemplates& pixels);
 
 // Least squares over the masked left pixels: disparity plane, gain and offset between the cameras, and a row offset as
-// nuisance. Nothing when the texture does not fix the plane or the iteration leaves the seed's neighbourhood.
+// nuisance (plane_fit.hpp). Nothing when the texture does not fix the plane or the iteration leaves the seed's
+// neighbourhood.
 std::optional<PlaneAlignment> align_plane(const StereoPatch& patch, const Mask& mask, const DisparityPlane& seed,
                                           const AlignmentParameters& parameters);
 

@@ -12,7 +12,7 @@ namespace markservo::target_locator {
 inline constexpr int kPlaneParameters = 6;
 
 // Fills what a template says of its pixels, from its blocks and weights. `centre`: column, row (patch px), and what a
-// patch pixel is in half extents.
+// patch pixel is in the template's extents.
 struct TemplateScale {
   double centre_column = 0.0;
   double centre_row = 0.0;

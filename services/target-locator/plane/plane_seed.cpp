@@ -5,9 +5,20 @@
 #include <vector>
 
 #include "services/target-locator/image/mask_moments.hpp"
-#include "services/target-locator/plane/plane_template.hpp"
 
 namespace markservo::target_locator {
+namespace {
+
+DisparityPlane plane_of_boxes(const View& left, const View& right, double largest_slope) {
+  DisparityPlane plane;
+  plane.u0 = left.centre_u();
+  plane.v0 = left.centre_v();
+  plane.at_centre = left.centre_u() - right.centre_u();
+  plane.along_u = std::clamp(1.0 - right.width / left.width, -largest_slope, largest_slope);
+  return plane;
+}
+
+}  // namespace
 
 std::optional<DisparityPlane> plane_of_masks(const Mask& left, const PatchFrame& left_frame, const Mask& right,
                                              const PatchFrame& right_frame) {
@@ -63,6 +74,26 @@ PlaneSeed seed_plane(const StereoPatch& patch, PlaneTemplates& pixels, const Dis
   PlaneSeed seed{guess, best};
   seed.plane.at_centre += best_shift;
   return seed;
+}
+
+PlaneSeed find_seed(const MarkObservation& observation, const MarkImages& images, PlaneTemplates& pixels,
+                    const SeedParameters& parameters) {
+  const StereoPatch& patch = images.patch;
+  PlaneSeed best;
+  const auto of_masks = plane_of_masks(images.left.mask, patch.left_frame, images.right.mask, patch.right_frame);
+  if (of_masks) best = seed_plane(patch, pixels, *of_masks, parameters.near_px, parameters);
+  if (best.correlation >= parameters.alike) return best;
+  const double reach = parameters.reach * std::max(observation.left.width, observation.right.width);
+  const auto consider = [&](const DisparityPlane& guess) {
+    const PlaneSeed seed = seed_plane(patch, pixels, guess, reach, parameters);
+    if (seed.correlation > best.correlation) best = seed;
+  };
+  if (of_masks) consider(*of_masks);
+  const DisparityPlane of_boxes = plane_of_boxes(observation.left, observation.right, parameters.largest_slope);
+  consider(of_boxes);
+  // What hides one view more than the other makes slopes of its own.
+  consider({of_boxes.u0, of_boxes.v0, of_boxes.at_centre, 0.0, 0.0});
+  return best;
 }
 
 }  // namespace markservo::target_locator

@@ -58,9 +58,7 @@ void make_template(const StereoPatch& patch, const Mask& mask, int limit, PlaneT
   const double cy = extent.y / extent.n;
   const double spread = std::sqrt(std::max(1.0, extent.squares / extent.n - cx * cx - cy * cy));
   const PatchFrame& frame = patch.left_frame;
-  t.extent = spread * frame.scale;
-  t.u0 = frame.u_of(cx);
-  t.v0 = frame.v_of(cy);
+  t.origin = {frame.u_of(cx), frame.v_of(cy), spread * frame.scale};
   fill_template(patch, {cx, cy, 1.0 / spread}, t);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "services/target-locator/image/stereo_patch.hpp"
+#include "services/target-locator/plane/disparity_plane.hpp"
 
 namespace markservo::target_locator {
 
@@ -18,23 +19,36 @@ struct PlaneTemplate {
     int row = 0;     // patch px
   };
 
+  // What coordinates are from.
+  struct Origin {
+    double u = 0.0;       // px of the image, the pixels' centre
+    double v = 0.0;       // px
+    double extent = 1.0;  // px of the image: rms distance from the centre
+  };
+
   std::vector<Block> blocks;
   // Value by value, kLanes a block.
-  std::vector<float> along_u;     // from the centre, in half extents
-  std::vector<float> along_v;     // from the centre, in half extents
+  std::vector<float> along_u;     // from the origin, in its extents
+  std::vector<float> along_v;     // from the origin, in its extents
   std::vector<float> grey;        // about the mean
   std::vector<float> gradient_u;  // Sobel's, per image px
   std::vector<float> gradient_v;  // Sobel's, per image px
   std::vector<float> slope_u;     // plain central difference, per image px
   std::vector<float> weight;      // 1 where used, else 0
   std::size_t count = 0;          // of pixels
-  double u0 = 0.0;                // px of the image, the pixels' centre
-  double v0 = 0.0;                // px
-  double extent = 1.0;            // px of the image: rms distance from the centre
-  double mean_grey = 0.0;         // that greys are about
+  Origin origin;
+  double mean_grey = 0.0;  // that greys are about
 
   std::size_t size() const { return count; }
   std::size_t padded() const { return blocks.size() * kLanes; }
+};
+
+// Left pixels to fit to: few, and about all.
+struct PlaneTemplates {
+  PlaneTemplate rough;
+  PlaneTemplate all;
+  std::vector<float> warped;  // what the right view shows at those worked on last
+  std::vector<float> residual;
 };
 
 // Of the masked pixels those of every k-th row, so that about `limit` are taken. `pixels` keeps its memory.

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "services/target-locator/features/features.hpp"
-#include "services/target-locator/image/stereo_patch.hpp"
+#include "services/target-locator/image/patch_frame.hpp"
+#include "services/target-locator/image/plane_image.hpp"
+#include "services/target-locator/plane/disparity_plane.hpp"
 
 namespace markservo::target_locator {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "services/target-locator/image/epipolar_rows.hpp"
-#include "services/target-locator/image/projection_kernel.hpp"
+#include "services/target-locator/image/image_kernel.hpp"
 #include "services/target-locator/matching/window_kernel.hpp"
 #include "services/target-locator/plane/plane_kernel.hpp"
 #include "tests/unit/vector_target.hpp"
