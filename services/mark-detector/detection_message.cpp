@@ -12,9 +12,9 @@ MarkPatch message_of(const Patch& patch) {
   message.scale = patch.scale;
   message.width = patch.width;
   message.height = patch.height;
-  message.bgr_size = static_cast<int32_t>(patch.bgr.size());
+  message.bgr_size = static_cast<std::int32_t>(patch.bgr.size());
   message.bgr = patch.bgr;
-  message.mask_size = static_cast<int32_t>(patch.mask.size());
+  message.mask_size = static_cast<std::int32_t>(patch.mask.size());
   message.mask = patch.mask;
   return message;
 }
@@ -48,7 +48,7 @@ MarkDetection make_message(const StereoFrame& frame, const Output& output) {
   message.width = frame.width;
   message.height = frame.height;
   message.calibration = frame.calibration;
-  message.num_marks = static_cast<int32_t>(output.marks.size());
+  message.num_marks = static_cast<std::int32_t>(output.marks.size());
   message.marks.reserve(output.marks.size());
   for (const Finding& finding : output.marks) {
     DetectedMark mark{};

@@ -3,7 +3,7 @@
 #include <markservo/MarkDetection.hpp>
 #include <markservo/StereoFrame.hpp>
 
-#include "services/mark-detector/mark_detector.hpp"
+#include "services/mark-detector/detector_output.hpp"
 
 namespace markservo::mark_detector {
 

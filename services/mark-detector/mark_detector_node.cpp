@@ -1,19 +1,18 @@
 #include "services/mark-detector/mark_detector_node.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <future>
-#include <iostream>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "common/bus/number_options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/detection_message.hpp"
-#include "services/mark-detector/jpeg_size.hpp"
 #include "services/mark-detector/mark_option.hpp"
-#include "services/mark-detector/picture.hpp"
-#include "services/mark-detector/picture_file.hpp"
+#include "services/mark-detector/picture/jpeg_size.hpp"
+#include "services/mark-detector/picture/picture.hpp"
+#include "services/mark-detector/picture/picture_file.hpp"
 
 namespace markservo::mark_detector {
 namespace {
@@ -30,9 +29,9 @@ void require_frame_size(const StereoFrame& frame, const JpegSize& size, const ch
 }
 
 // One side of a frame as an image; raw sides are not copied and must outlive it. Throws std::runtime_error.
-cv::Mat decode(const StereoFrame& frame, const std::vector<uint8_t>& side, const char* name) {
+cv::Mat decode(const StereoFrame& frame, const std::vector<std::uint8_t>& side, const char* name) {
   if (frame.encoding == StereoFrame::ENCODING_BGR8) {
-    return {frame.height, frame.width, CV_8UC3, const_cast<uint8_t*>(side.data())};
+    return {frame.height, frame.width, CV_8UC3, const_cast<std::uint8_t*>(side.data())};
   }
   // Before any pixel is decoded: a small message can claim an image of gigabytes.
   const std::optional<JpegSize> size = jpeg_size(side);
@@ -52,17 +51,17 @@ void MarkDetectorNode::add_options(CLI::App& app) {
   app.add_option("--mark", mark_texts_,
                  "Look for this instead of the robot's marks: NAME=hue_min:hue_max:sat_min:sat_max:val_min:val_max"
                  "[:free], hue in degrees (wraps), saturation and value 0 to 1");
-  app.add_option("--min-area", parameters_.min_area, "Smallest blob that can be a mark, px")
+  app.add_option("--min-area", parameters_.views.min_area, "Smallest blob that can be a mark, px")
       ->check(CLI::Range(1, 1'000'000'000))
       ->capture_default_str();
   app.add_option("--chroma-min", parameters_.chroma_min, "Least difference of the channels that tells a colour, levels")
       ->check(CLI::Range(0, 255))
       ->capture_default_str();
-  app.add_option("--row-tolerance", parameters_.selection.row_tolerance,
+  app.add_option("--row-tolerance", parameters_.views.selection.row_tolerance,
                  "How far a mark's rows may differ between the images, px")
       ->check(bus::Within(0.0, 1e6))
       ->capture_default_str();
-  app.add_option("--memory-frames", parameters_.memory_frames,
+  app.add_option("--memory-frames", parameters_.search.memory_frames,
                  "Frames for which the place of an unseen mark is remembered")
       ->check(CLI::Range(0, 1'000'000'000))
       ->capture_default_str();
@@ -75,26 +74,13 @@ void MarkDetectorNode::add_options(CLI::App& app) {
       ->check(CLI::Range(0, 1'000'000'000))
       ->capture_default_str();
 
-  const char* const picture = "Picture without a bus";
-  app.add_option("--image", image_file_, "Look at this picture, print JSON and exit")
-      ->configurable(false)
-      ->group(picture);
-  app.add_option("--right", right_file_, "The right camera's picture")->configurable(false)->group(picture);
-  app.add_option("--annotate", annotated_file_, "Write the picture with what was found")
-      ->configurable(false)
-      ->group(picture);
-  app.add_option("--mask-dir", mask_folder_, "Write each mark's mask into this folder")
-      ->configurable(false)
-      ->group(picture);
-  app.add_flag("--all-blobs", all_blobs_, "Also every blob of a mark's colour, in JSON and masks")
-      ->configurable(false)
-      ->group(picture);
+  picture_.add_to(app);
   learn_.add_to(app);
 }
 
 void MarkDetectorNode::configure(const std::string& robot_file) {
   learn_.check();
-  if (learn_.wanted() && (!image_file_.empty() || !mark_texts_.empty())) {
+  if (learn_.wanted() && (picture_.wanted() || !mark_texts_.empty())) {
     throw ConfigurationError("--learn: with --image or --mark; allowed: a mark of --robot-file, without them");
   }
   robot_file_ = robot_file;
@@ -109,62 +95,29 @@ void MarkDetectorNode::configure(const std::string& robot_file) {
   if (marks.size() > robot::kMaxMarks)
     throw ConfigurationError("--mark: given more than 8 times; allowed: 1 to 8 marks");
   if (marks.empty()) marks = robot::load_robot_description(robot_file).marks;
-  if (image_file_.empty()) {
-    for (const auto& [option, value] : {std::pair{"--right", right_file_}, std::pair{"--annotate", annotated_file_},
-                                        std::pair{"--mask-dir", mask_folder_}}) {
-      if (!value.empty())
-        throw ConfigurationError(std::string(option) + ": without --image; allowed: with --image FILE");
-    }
-  }
+  picture_.check();
   parameters_.equalise = !no_equalise_;
   parameters_.adapt = !no_adapt_;
   if (patch_budget_ > 0) {
     parameters_.patch.budget = patch_budget_;
   } else {
     const PatchParameters usual;
-    const int64_t factor = std::max<int64_t>(usual.limit, parameters_.patch.limit);
-    parameters_.patch.budget = usual.budget * factor * factor / (static_cast<int64_t>(usual.limit) * usual.limit);
+    const std::int64_t factor = std::max<std::int64_t>(usual.limit, parameters_.patch.limit);
+    parameters_.patch.budget = usual.budget * factor * factor / (static_cast<std::int64_t>(usual.limit) * usual.limit);
   }
   detector_.emplace(std::move(marks), parameters_);
 }
 
 std::optional<int> MarkDetectorNode::run_alone() {
   if (learn_.wanted()) {
-    learn_.run(robot_file_, parameters_);
+    LearningParameters learning;
+    learning.equalise = parameters_.equalise;
+    learning.chroma_min = parameters_.chroma_min;
+    learn_.run(robot_file_, learning);
     return bus::kExitStopped;
   }
-  if (image_file_.empty()) return std::nullopt;
-  const cv::Mat left = read_picture("--image", image_file_);
-  cv::Mat right;
-  if (!right_file_.empty()) {
-    right = read_picture("--right", right_file_);
-    if (right.size() != left.size()) {
-      throw ConfigurationError("--right '" + right_file_ + "': " + std::to_string(right.cols) + " x " +
-                               std::to_string(right.rows) + " px; allowed: the size of --image, " +
-                               std::to_string(left.cols) + " x " + std::to_string(left.rows) + " px");
-    }
-  }
-  Input input;
-  input.left = view_of(left);
-  if (!right.empty()) input.right = view_of(right);
-  const Output& output = detector_->step(input, state_);
-
-  nlohmann::ordered_json json{{"image", image_file_}};
-  if (!right.empty()) json["right"] = right_file_;
-  json["width"] = left.cols;
-  json["height"] = left.rows;
-  json["equalised"] = parameters_.equalise;
-  json["marks"] = report(output, !right.empty(), all_blobs_);
-  std::cout << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
-
-  if (!annotated_file_.empty()) write_picture("--annotate", annotated_file_, annotate(left, right, output));
-  if (!mask_folder_.empty()) {
-    std::error_code failed;
-    std::filesystem::create_directories(mask_folder_, failed);
-    for (const NamedMask& mask : masks(output, left.size(), all_blobs_)) {
-      write_picture("--mask-dir", (std::filesystem::path(mask_folder_) / mask.name).string(), mask.mask);
-    }
-  }
+  if (!picture_.wanted()) return std::nullopt;
+  picture_.run(*detector_, parameters_.equalise);
   return bus::kExitStopped;
 }
 

@@ -5,14 +5,14 @@
 
 #include <markservo/MarkDetection.hpp>
 #include <markservo/StereoFrame.hpp>
-#include <opencv2/core.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "common/bus/service.hpp"
-#include "services/mark-detector/learn_options.hpp"
+#include "services/mark-detector/learning/learn_options.hpp"
 #include "services/mark-detector/mark_detector.hpp"
+#include "services/mark-detector/picture/picture_options.hpp"
 
 namespace markservo::mark_detector {
 
@@ -28,14 +28,10 @@ class MarkDetectorNode final : public bus::Service {
 
   bool no_equalise_ = false;
   bool no_adapt_ = false;
-  int64_t patch_budget_ = 0;  // bytes; 0: grows with the patch limit
+  std::int64_t patch_budget_ = 0;  // bytes; 0: grows with the patch limit
   std::vector<std::string> mark_texts_;
-  std::string image_file_;
-  std::string right_file_;
-  std::string annotated_file_;
-  std::string mask_folder_;
-  bool all_blobs_ = false;
   std::string robot_file_;
+  PictureOptions picture_;
   LearnOptions learn_;
 
   Parameters parameters_;

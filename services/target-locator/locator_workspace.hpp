@@ -4,23 +4,19 @@
 
 #include <vector>
 
-#include "services/target-locator/colour_projection.hpp"
-#include "services/target-locator/features.hpp"
-#include "services/target-locator/plane_alignment.hpp"
-#include "services/target-locator/stereo_patch.hpp"
-#include "services/target-locator/structure_tensor.hpp"
+#include "services/target-locator/features/features.hpp"
+#include "services/target-locator/features/structure_tensor.hpp"
+#include "services/target-locator/image/mark_images.hpp"
+#include "services/target-locator/image/plane_image.hpp"
+#include "services/target-locator/plane/mark_plane.hpp"
 
 namespace markservo::target_locator {
 
 struct LocatorWorkspace {
-  StereoPatch patch;
-  MarkMasks left;
-  MarkMasks right;
-  Mask common;  // what is well inside in both views
-  MarkColours left_colours;
+  MarkImages images;
   CornerMeasures measures;
   std::vector<Feature> features;
-  PlaneTemplates pixels;
+  PlaneWorkspace plane;
   PlaneImage contrast;
 };
 

@@ -1,15 +1,10 @@
 #pragma once
 
-// What the locator is told about one mark in one image pair, and what it answers.
+// What the locator is told about one mark in one image pair.
 
-#include <Eigen/Core>
 #include <cstdint>
-#include <string>
-#include <vector>
 
-#include "common/geometry/stereo_camera.hpp"
-#include "common/states/mark_status.hpp"
-#include "services/target-locator/plane_image.hpp"
+#include "services/target-locator/image/patch_frame.hpp"
 
 namespace markservo::target_locator {
 
@@ -45,24 +40,6 @@ struct MarkObservation {
   View right;
   Surface surface = Surface::kPlane;
   double size = 0.0;  // m, edge of the square; 0: unknown
-};
-
-using Status = MarkStatus;
-
-struct Match {
-  double u_left = 0.0;    // px
-  double v_left = 0.0;    // px
-  double u_right = 0.0;   // px
-  double v_right = 0.0;   // px
-  double residual = 0.0;  // px, distance from the plane's disparity (plane) or the match's own sigma (free)
-};
-
-struct Location {
-  Status status = Status::kUnseen;
-  Eigen::Vector3d p_C = Eigen::Vector3d::Zero();         // m, the mark's centre; valid when located
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // m^2, of p_C
-  Eigen::Vector3d normal_C = Eigen::Vector3d::Zero();    // towards the cameras; zero when it is not known
-  std::vector<Match> matches;                            // those that agree; given for a clipped mark as well
 };
 
 }  // namespace markservo::target_locator

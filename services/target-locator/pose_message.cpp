@@ -60,14 +60,14 @@ LocatedMark located_mark(const DetectedMark& mark, const Location& location) {
   message.covariance.yz = location.covariance(1, 2);
   message.covariance.zz = location.covariance(2, 2);
   message.normal_C = message_of(location.normal_C);
-  message.num_features = location.status == Status::kLocated ? static_cast<int32_t>(location.matches.size()) : 0;
+  message.num_features = location.status == Status::kLocated ? static_cast<std::int32_t>(location.matches.size()) : 0;
   return message;
 }
 
 MarkMatches matches_of(const DetectedMark& mark, const Location& location) {
   MarkMatches message{};
   message.name = mark.name;
-  message.num_matches = static_cast<int32_t>(location.matches.size());
+  message.num_matches = static_cast<std::int32_t>(location.matches.size());
   for (const Match& match : location.matches) {
     message.u_left.push_back(match.u_left);
     message.v_left.push_back(match.v_left);
@@ -80,10 +80,10 @@ MarkMatches matches_of(const DetectedMark& mark, const Location& location) {
 
 int fit_into_packet(TargetPose& pose) {
   int taken = 0;
-  pose.num_marks = static_cast<int32_t>(pose.marks.size());
+  pose.num_marks = static_cast<std::int32_t>(pose.marks.size());
   while (!pose.marks.empty() && pose.getEncodedSize() > kMaxPoseBytes) {
     pose.marks.pop_back();
-    pose.num_marks = static_cast<int32_t>(pose.marks.size());
+    pose.num_marks = static_cast<std::int32_t>(pose.marks.size());
     ++taken;
   }
   return taken;

@@ -7,6 +7,8 @@
 #include <markservo/TargetPose.hpp>
 #include <string>
 
+#include "common/geometry/stereo_camera.hpp"
+#include "services/target-locator/location.hpp"
 #include "services/target-locator/mark_observation.hpp"
 
 namespace markservo::target_locator {

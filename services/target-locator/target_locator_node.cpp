@@ -21,10 +21,11 @@ void TargetLocatorNode::add_options(CLI::App& app) {
   app.add_option("--min-matches", parameters_.min_matches, "Fewest matches that carry a position")
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();
-  app.add_option("--disparity-min", parameters_.search.disparity_min,
+  app.add_option("--disparity-min", parameters_.free_surface.search.disparity_min,
                  "Free surfaces: smallest disparity looked for, px; with --disparity-max, else the boxes tell")
       ->capture_default_str();
-  app.add_option("--disparity-max", parameters_.search.disparity_max, "Free surfaces: largest disparity looked for, px")
+  app.add_option("--disparity-max", parameters_.free_surface.search.disparity_max,
+                 "Free surfaces: largest disparity looked for, px")
       ->capture_default_str();
   app.add_option("--paper-window", parameters_.paper.window,
                  "--method paper: side of the search window over the side of the mark's box (a of eq. 3)")
@@ -34,7 +35,7 @@ void TargetLocatorNode::add_options(CLI::App& app) {
 
 void TargetLocatorNode::configure(const std::string& robot_file) {
   parameters_.method = method_ == "paper" ? Method::kPaper : Method::kRefined;
-  const SearchParameters& search = parameters_.search;
+  const SearchParameters& search = parameters_.free_surface.search;
   if (search.disparity_min != search.disparity_max && !(search.disparity_min < search.disparity_max)) {
     throw ConfigurationError("--disparity-max: " + std::to_string(search.disparity_max) +
                              " px; allowed: above --disparity-min, " + std::to_string(search.disparity_min) + " px");
@@ -73,7 +74,7 @@ void TargetLocatorNode::handle(const MarkDetection& detection) {
     pose.marks.push_back(located_mark(mark, location));
     matches.marks.push_back(matches_of(mark, location));
   }
-  matches.num_marks = static_cast<int32_t>(matches.marks.size());
+  matches.num_marks = static_cast<std::int32_t>(matches.marks.size());
   const int dropped = fit_into_packet(pose);
   if (dropped > 0 && !told_of_dropped_marks_) {
     told_of_dropped_marks_ = true;

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "services/mark-detector/mark_detector.hpp"
-#include "services/target-locator/colour_projection.hpp"
+#include "services/target-locator/image/colour_projection.hpp"
 #include "services/target-locator/mark_locator.hpp"
 #include "tests/bench/match_bound.hpp"
 #include "tests/scenes/mark_stage.hpp"
@@ -156,8 +156,8 @@ MatchErrors measure(const robot::RobotDescription& robot, const std::vector<robo
   const mark_detector::MarkDetector detector(marks, {});
   const target_locator::LocatorParameters locator;
   target_locator::LocatorParameters until_settled = locator;
-  until_settled.verification.max_iterations = 20;
-  until_settled.verification.settled_px = 1e-3;
+  until_settled.plane.verification.max_iterations = 20;
+  until_settled.plane.verification.settled_px = 1e-3;
   // Rounding to whole levels is noise as well.
   const double sigma = std::sqrt(parameters.sigma * parameters.sigma + 1.0 / 12.0);
   std::mt19937 random(parameters.seed);
@@ -193,7 +193,7 @@ MatchErrors measure(const robot::RobotDescription& robot, const std::vector<robo
       const double truth = mark.disparity(camera, match.u_left, match.v_left);
       const Mask window = window_about(inside, static_cast<int>(std::lround(patch.frame.column_of(match.u_left))),
                                        static_cast<int>(std::lround(patch.frame.row_of(match.v_left))),
-                                       locator.verification.half_window);
+                                       locator.plane.verification.half_window);
       collected.errors.push_back(match.u_left - match.u_right - truth);
       collected.bounds.push_back(disparity_bound(view, window, sigma));
     }

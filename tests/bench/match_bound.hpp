@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "services/target-locator/plane_image.hpp"
+#include "services/target-locator/image/plane_image.hpp"
 
 namespace markservo::bench {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "services/mark-detector/colour_kernel.hpp"
-#include "services/mark-detector/luma_equalisation.hpp"
+#include "services/mark-detector/colour/colour_kernel.hpp"
+#include "services/mark-detector/colour/luma_equalisation.hpp"
 #include "tests/scenes/observation.hpp"
 
 namespace markservo::bench {
@@ -15,7 +15,7 @@ mark_detector::Parameters parameters_for(Scan scan) {
   mark_detector::Parameters parameters;
   switch (scan) {
     case Scan::kWholeImage:
-      parameters.full_scan_every = 1;
+      parameters.search.full_scan_every = 1;
       break;
     case Scan::kTracked:
       break;
@@ -75,7 +75,7 @@ void Ours::classify(const scenes::StereoPair& pair, const mark_detector::LumaShi
 
 std::size_t Ours::label() {
   mark_detector::BlobParameters parameters;
-  parameters.min_area = parameters_.min_area;
+  parameters.min_area = parameters_.views.min_area;
   std::size_t count = 0;
   for (const auto* const masks : {&left_masks_, &right_masks_}) {
     for (const imaging::BitMask& mask : *masks) {

@@ -42,16 +42,16 @@ Parameters take_parameters(FuzzedDataProvider& data) {
   if (!data.ConsumeBool()) return parameters;
   parameters.histogram_rows = data.ConsumeIntegralInRange(0, 200);
   parameters.chroma_min = data.ConsumeIntegralInRange(0, 255);
-  parameters.min_area = data.ConsumeIntegralInRange<int64_t>(0, 300);
-  parameters.hole_fraction = data.ConsumeFloatingPointInRange(0.0, 1.0);
-  parameters.noise_hole = data.ConsumeIntegralInRange<int64_t>(0, 40);
-  parameters.memory_frames = data.ConsumeIntegralInRange(0, 3);
-  parameters.full_scan_every = data.ConsumeIntegralInRange(0, 4);
-  parameters.coarse_rows = data.ConsumeIntegralInRange(0, 10);
-  parameters.track_margin = data.ConsumeIntegralInRange(-1, 60);
+  parameters.views.min_area = data.ConsumeIntegralInRange<int64_t>(0, 300);
+  parameters.views.hole_fraction = data.ConsumeFloatingPointInRange(0.0, 1.0);
+  parameters.views.noise_hole = data.ConsumeIntegralInRange<int64_t>(0, 40);
+  parameters.search.memory_frames = data.ConsumeIntegralInRange(0, 3);
+  parameters.search.full_scan_every = data.ConsumeIntegralInRange(0, 4);
+  parameters.search.coarse_rows = data.ConsumeIntegralInRange(0, 10);
+  parameters.search.track_margin = data.ConsumeIntegralInRange(-1, 60);
   parameters.adapt = data.ConsumeBool();
-  parameters.selection.max_candidates = data.ConsumeIntegralInRange(-1, 64);
-  parameters.selection.row_tolerance = data.ConsumeFloatingPointInRange(0.0, 200.0);
+  parameters.views.selection.max_candidates = data.ConsumeIntegralInRange(-1, 64);
+  parameters.views.selection.row_tolerance = data.ConsumeFloatingPointInRange(0.0, 200.0);
   parameters.patch.margin = data.ConsumeIntegralInRange(-1, 300);
   parameters.patch.limit = data.ConsumeIntegralInRange(0, 256);
   parameters.patch.budget = data.ConsumeIntegralInRange<int64_t>(0, 300000);
@@ -85,7 +85,7 @@ void check_blobs(const BlobList& list, const ImageView& image, const Parameters&
   double last = static_cast<double>(list.largest_area);
   for (const Blob& blob : list.blobs) {
     check_shape(blob.shape, image);
-    require(blob.shape.area >= static_cast<double>(parameters.min_area), "a blob has the least area");
+    require(blob.shape.area >= static_cast<double>(parameters.views.min_area), "a blob has the least area");
     require(blob.shape.area <= static_cast<double>(blob.shape.width) * blob.shape.height, "a blob fits its box");
     require(blob.shape.area <= last, "blobs come the largest first");
     last = blob.shape.area;

@@ -19,8 +19,8 @@ LocatorParameters take_parameters(FuzzedDataProvider& data) {
   if (data.ConsumeIntegralInRange(0, 3) < 3) return parameters;
   parameters.features.max_features = data.ConsumeIntegralInRange(6, 200);
   parameters.min_matches = data.ConsumeIntegralInRange(3, 40);
-  parameters.search.disparity_min = fuzz::number(data, 0.0, -500.0, 500.0);
-  parameters.search.disparity_max = fuzz::number(data, 0.0, -500.0, 500.0);
+  parameters.free_surface.search.disparity_min = fuzz::number(data, 0.0, -500.0, 500.0);
+  parameters.free_surface.search.disparity_max = fuzz::number(data, 0.0, -500.0, 500.0);
   parameters.paper.window = data.ConsumeFloatingPointInRange(0.01, 4.0);
   return parameters;
 }

@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "services/mark-detector/hue.hpp"
-#include "services/mark-detector/picture.hpp"
+#include "services/mark-detector/colour/hue.hpp"
+#include "services/mark-detector/picture/picture.hpp"
 
 namespace markservo::light {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/mark-detector/blobs.hpp"
+#include "services/mark-detector/blobs/blobs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
+
+#include "services/mark-detector/blobs/hole_filler.hpp"
 
 namespace markservo::mark_detector {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/mark-detector/colour_classifier.hpp"
+#include "services/mark-detector/colour/colour_classifier.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "services/mark-detector/colour_scan.hpp"
+#include "services/mark-detector/search/colour_scan.hpp"
 
 namespace markservo::mark_detector {
 namespace {

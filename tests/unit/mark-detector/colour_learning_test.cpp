@@ -1,8 +1,8 @@
-#include "services/mark-detector/colour_learning.hpp"
+#include "services/mark-detector/learning/colour_learning.hpp"
 
 #include <gtest/gtest.h>
 
-#include "services/mark-detector/hue.hpp"
+#include "services/mark-detector/colour/hue.hpp"
 #include "tests/unit/mark-detector/synthetic_scene.hpp"
 
 namespace markservo::mark_detector {

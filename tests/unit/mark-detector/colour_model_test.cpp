@@ -1,4 +1,4 @@
-#include "services/mark-detector/colour_model.hpp"
+#include "services/mark-detector/adaptation/colour_model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@ using namespace test;
 // Where the detector that follows marks finds them, frame by frame, beside one that searches everything.
 TEST(Following, FindsMarksAsIfItLookedEverywhere) {
   Parameters thorough;
-  thorough.full_scan_every = 1;
+  thorough.search.full_scan_every = 1;
   State following;
   State searching;
   for (int frame = 0; frame < 12; ++frame) {
@@ -36,7 +36,7 @@ TEST(Following, FindsMarksAsIfItLookedEverywhere) {
 
 TEST(Following, SeesThatAMarkReachesOutOfWhereItLooked) {
   Parameters thorough;
-  thorough.full_scan_every = 1;
+  thorough.search.full_scan_every = 1;
   State following;
   State searching;
   for (int frame = 0; frame < 4; ++frame) {

@@ -1,4 +1,4 @@
-#include "services/mark-detector/jpeg_size.hpp"
+#include "services/mark-detector/picture/jpeg_size.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "services/mark-detector/light_change.hpp"
+#include "services/mark-detector/adaptation/light_change.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "services/mark-detector/luma_equalisation.hpp"
+#include "services/mark-detector/colour/luma_equalisation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "services/mark-detector/picture.hpp"
+#include "services/mark-detector/picture/picture.hpp"
 
 namespace markservo::mark_detector {
 namespace {

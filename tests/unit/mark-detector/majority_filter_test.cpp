@@ -1,4 +1,4 @@
-#include "services/mark-detector/majority_filter.hpp"
+#include "services/mark-detector/blobs/majority_filter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/mark-detector/picture.hpp"
+#include "services/mark-detector/picture/picture.hpp"
 #include "tests/unit/bus/memq_bus.hpp"
 #include "tests/unit/mark-detector/synthetic_scene.hpp"
 

@@ -138,7 +138,7 @@ TEST(MarkDetector, StaysWithTheMarkItFollowed) {
 TEST(MarkDetector, ForgetsAPlaceAfterAWhile) {
   const std::vector<robot::MarkDescription> red = {mark("red", 345.0, 15.0)};
   Parameters parameters;
-  parameters.memory_frames = 3;
+  parameters.search.memory_frames = 3;
   const MarkDetector detector(red, parameters);
   State state;
   Pair seen;
@@ -147,9 +147,9 @@ TEST(MarkDetector, ForgetsAPlaceAfterAWhile) {
   Pair none;
   const Input empty = none.expose();
   for (int i = 0; i < 3; ++i) detector.step(empty, state);
-  EXPECT_TRUE(state.memory[0].known);
+  EXPECT_TRUE(state.tracks[0].known);
   detector.step(empty, state);
-  EXPECT_FALSE(state.memory[0].known);
+  EXPECT_FALSE(state.tracks[0].known);
 }
 
 TEST(MarkDetector, GivesTheSameForTheSameFrames) {
@@ -239,7 +239,7 @@ TEST(MarkDetector, SurvivesImagesOfAnySizeAndOneColour) {
         input.left = picture.view();
         input.right = picture.view();
         Parameters parameters;
-        parameters.min_area = 1;
+        parameters.views.min_area = 1;
         State state;
         const Output output = MarkDetector(four_marks(), parameters).step(input, state);
         ASSERT_EQ(output.marks.size(), 4U);
@@ -273,7 +273,7 @@ TEST(MarkDetector, SurvivesThousandsOfBlobs) {
     }
   }
   Parameters parameters;
-  parameters.min_area = 4;
+  parameters.views.min_area = 4;
   State state;
   const Output output = MarkDetector({mark("red", 345.0, 15.0)}, parameters).step(pair.expose(1.0, 0.0), state);
   EXPECT_EQ(output.marks[0].left_blobs.blobs.size(), 1024U);

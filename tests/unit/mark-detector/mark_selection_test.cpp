@@ -1,4 +1,4 @@
-#include "services/mark-detector/mark_selection.hpp"
+#include "services/mark-detector/views/mark_selection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(Selection, ADistractorInOneImageDoesNotWin) {
 TEST(Selection, TakesThePairNearestToWhereTheMarkWas) {
   const std::vector<Blob> left = {box(400, 200, 60, 60), box(300, 300, 50, 50)};
   const std::vector<Blob> right = {box(200, 200, 60, 60), box(120, 300, 50, 50)};
-  const LastSeen last{330.0, 320.0, 150.0};
+  const PairPlace last{330.0, 320.0, 150.0};
   const Selection selection = select_pair(left, right, context(), last, {});
   EXPECT_EQ(selection.left, 1U);
   EXPECT_EQ(selection.right, 1U);
@@ -53,9 +53,9 @@ TEST(Selection, OfOneImageOnlyTakesItsNearestOrLargest) {
   const Selection largest = select_pair(left, {}, context(), std::nullopt, {});
   EXPECT_EQ(largest.left, 0U);
   EXPECT_FALSE(largest.right);
-  const Selection nearest = select_pair(left, {}, context(), LastSeen{330.0, 320.0, 150.0}, {});
+  const Selection nearest = select_pair(left, {}, context(), PairPlace{330.0, 320.0, 150.0}, {});
   EXPECT_EQ(nearest.left, 1U);
-  EXPECT_EQ(select_pair({}, left, context(), LastSeen{0.0, 320.0, 330.0}, {}).right, 1U);
+  EXPECT_EQ(select_pair({}, left, context(), PairPlace{0.0, 320.0, 330.0}, {}).right, 1U);
 }
 
 TEST(Selection, SaysWhyNoTwoBlobsAgree) {

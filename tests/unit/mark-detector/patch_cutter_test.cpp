@@ -1,4 +1,4 @@
-#include "services/mark-detector/patch_cutter.hpp"
+#include "services/mark-detector/patches/patch_cutter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "services/mark-detector/picture.hpp"
+#include "services/mark-detector/picture/picture.hpp"
 
 namespace markservo::mark_detector {
 namespace {
@@ -96,7 +96,7 @@ TEST(PatchPlan, GivesNoneWhereNothingFits) {
 
 Patch cut_patch(const ImageView& image, const Region& mark, const PatchFrame& frame) {
   Patch patch;
-  mark_detector::cut_patch(image, mark, frame, patch);
+  PatchCutter().cut(image, mark, frame, patch);
   return patch;
 }
 

@@ -1,4 +1,4 @@
-#include "services/mark-detector/robot_file_edit.hpp"
+#include "services/mark-detector/learning/robot_file_edit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -48,7 +48,7 @@ TEST(MarkDetector, AsksForNoMemoryAfterTheFirstFrames) {
   const std::vector<Frame> frames = moving_marks();
   for (const int full_scan_every : {1, 5}) {
     Parameters parameters;
-    parameters.full_scan_every = full_scan_every;
+    parameters.search.full_scan_every = full_scan_every;
     const MarkDetector detector(marks, parameters);
     State state;
     for (int pass = 0; pass < 3; ++pass) {

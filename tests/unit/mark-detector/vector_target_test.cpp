@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "services/mark-detector/colour_kernel.hpp"
+#include "services/mark-detector/colour/colour_kernel.hpp"
 #include "tests/unit/vector_target.hpp"
 
 namespace markservo::mark_detector {

@@ -79,8 +79,8 @@ TEST(FreeSurface, MatchesTheLeavesOfARealPlant) {
   observation.surface = Surface::kFree;
   LocatorParameters parameters;
   parameters.features.max_features = 1500;
-  parameters.search.disparity_min = 40.0;
-  parameters.search.disparity_max = 215.0;
+  parameters.free_surface.search.disparity_min = 40.0;
+  parameters.free_surface.search.disparity_max = 215.0;
   const geometry::StereoCamera camera{3740.0, 3740.0, 640.5, 640.5, 554.5, 0.16};
   const Location found = locate_mark(observation, camera, parameters);
   EXPECT_EQ(found.status, Status::kClipped);

@@ -1,4 +1,4 @@
-#include "services/target-locator/hidden_sides.hpp"
+#include "services/target-locator/hidden/hidden_sides.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "services/target-locator/shared_visibility.hpp"
+#include "services/target-locator/plane/shared_visibility.hpp"
 
 namespace markservo::target_locator {
 namespace {

@@ -1,10 +1,13 @@
-#include "services/target-locator/mark_centre.hpp"
+#include "services/target-locator/centre/centre_fusion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "services/target-locator/colour_projection.hpp"
+#include "services/target-locator/centre/mask_centre.hpp"
+#include "services/target-locator/image/colour_projection.hpp"
+#include "services/target-locator/outline/square_outline.hpp"
+#include "services/target-locator/plane/disparity_plane.hpp"
 #include "tests/unit/target-locator/synthetic_mark.hpp"
 #include "tests/unit/target-locator/whole_mask.hpp"
 

@@ -1,13 +1,13 @@
-#include "services/target-locator/plane_alignment.hpp"
+#include "services/target-locator/plane/plane_alignment.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "services/target-locator/colour_projection.hpp"
-#include "services/target-locator/epipolar_rows.hpp"
-#include "services/target-locator/plane_seed.hpp"
-#include "services/target-locator/refinement.hpp"
+#include "services/target-locator/image/colour_projection.hpp"
+#include "services/target-locator/image/epipolar_rows.hpp"
+#include "services/target-locator/matching/refinement.hpp"
+#include "services/target-locator/plane/plane_seed.hpp"
 #include "tests/unit/target-locator/synthetic_mark.hpp"
 #include "tests/unit/target-locator/whole_mask.hpp"
 

@@ -1,11 +1,11 @@
-#include "services/target-locator/structure_tensor.hpp"
+#include "services/target-locator/features/structure_tensor.hpp"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 #include <vector>
 
-#include "services/target-locator/features.hpp"
+#include "services/target-locator/features/features.hpp"
 #include "tests/unit/target-locator/whole_mask.hpp"
 
 namespace markservo::target_locator {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/geometry/stereo_camera.hpp"
 #include "services/target-locator/mark_observation.hpp"
 
 namespace markservo::target_locator::test {

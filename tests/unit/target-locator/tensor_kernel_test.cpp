@@ -1,7 +1,7 @@
 // Every vector instruction set that this processor has gives Foerstner's operator as it is defined, also in memory that
 // held another image before.
 
-#include "services/target-locator/tensor_kernel.hpp"
+#include "services/target-locator/features/tensor_kernel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 #include <random>
 #include <vector>
 
-#include "services/target-locator/epipolar_rows.hpp"
-#include "services/target-locator/plane_kernel.hpp"
-#include "services/target-locator/projection_kernel.hpp"
-#include "services/target-locator/window_kernel.hpp"
+#include "services/target-locator/image/epipolar_rows.hpp"
+#include "services/target-locator/image/image_kernel.hpp"
+#include "services/target-locator/matching/window_kernel.hpp"
+#include "services/target-locator/plane/plane_kernel.hpp"
 #include "tests/unit/vector_target.hpp"
 
 namespace markservo::target_locator {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "services/target-locator/plane_image.hpp"
+#include "services/target-locator/image/plane_image.hpp"
 
 namespace markservo::target_locator::test {
 
