@@ -48,7 +48,7 @@ void BaseNavigatorNode::add_options(CLI::App& app) {
                  "Creep straight on (or back) to learn the heading when only that is unknown")
       ->capture_default_str();
   number("--explore-speed", explore.speed, "m/s", 0.02, 0.5);
-  number("--explore-way", explore.way, "m, at most", 0.05, 2.0);
+  number("--explore-way", explore.distance, "m, at most", 0.05, 2.0);
 }
 
 void BaseNavigatorNode::add_motion_options(CLI::App& app) {

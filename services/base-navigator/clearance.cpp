@@ -9,9 +9,9 @@ namespace {
 
 using geometry::wrapped;
 
-constexpr double kApproaching = 0.2;       // m nearer per m of way: less is driving past
-constexpr double kFirstApproach_m = 0.03;  // of way, on which that is judged
-constexpr double kSonarNoise_m = 0.01;     // nearer over the whole way: less is no approach
+constexpr double kApproaching = 0.2;       // m nearer per m of path: less is driving past
+constexpr double kFirstApproach_m = 0.03;  // of path, on which that is judged
+constexpr double kSonarNoise_m = 0.01;     // nearer over the whole path: less is no approach
 
 struct Standpoint {
   Eigen::Vector2d p_RS;
@@ -25,43 +25,43 @@ struct Standpoint {
   }
 };
 
-// m of way up to where the outline comes closer to a point that is too near already. Beside what a straight way does at
-// once, a turning or curved one may sweep through the point only later.
-double way_closer(const Outline& outline, double before, const Eigen::Vector2d& p_R,
-                  const std::vector<Standpoint>& way) {
-  const auto judged = std::find_if(way.begin(), way.end(),
+// m of path up to where the outline comes closer to a point that is too near already. Beside what a straight path does
+// at once, a turning or curved one may sweep through the point only later.
+double length_until_closer(const Outline& outline, double before, const Eigen::Vector2d& p_R,
+                           const std::vector<Standpoint>& path) {
+  const auto judged = std::find_if(path.begin(), path.end(),
                                    [](const Standpoint& standpoint) { return standpoint.length >= kFirstApproach_m; });
-  const Standpoint& at = judged != way.end() ? *judged : way.back();
+  const Standpoint& at = judged != path.end() ? *judged : path.back();
   const double after = distance_to_outline(outline, at.seen_from_here(p_R));
   if (before - after > kApproaching * at.length) return 0.0;
   // Half of what is left at most, lest it be used up bit by bit as the robot goes and looks again.
   const double least = before - std::min(kSonarNoise_m, 0.5 * before);
   double last = before;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const double now = distance_to_outline(outline, way[i].seen_from_here(p_R));
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double now = distance_to_outline(outline, path[i].seen_from_here(p_R));
     if (now < least) {
       const double part = (last - least) / (last - now);
-      return way[i - 1].length + part * (way[i].length - way[i - 1].length);
+      return path[i - 1].length + part * (path[i].length - path[i - 1].length);
     }
     last = now;
   }
-  return way.back().length;
+  return path.back().length;
 }
 
-// m of way up to where the point is nearer than `clearance`; the way's whole length if it never is.
-double way_to(const Outline& outline, double clearance, const Eigen::Vector2d& p_R,
-              const std::vector<Standpoint>& way) {
+// m of path up to where the point is nearer than `clearance`; the path's whole length if it never is.
+double length_until_near(const Outline& outline, double clearance, const Eigen::Vector2d& p_R,
+                         const std::vector<Standpoint>& path) {
   double before = distance_to_outline(outline, p_R);
-  if (before < clearance) return way_closer(outline, before, p_R, way);
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const double now = distance_to_outline(outline, way[i].seen_from_here(p_R));
+  if (before < clearance) return length_until_closer(outline, before, p_R, path);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double now = distance_to_outline(outline, path[i].seen_from_here(p_R));
     if (now < clearance) {
       const double part = (before - clearance) / (before - now);
-      return way[i - 1].length + part * (way[i].length - way[i - 1].length);
+      return path[i - 1].length + part * (path[i].length - path[i - 1].length);
     }
     before = now;
   }
-  return way.back().length;
+  return path.back().length;
 }
 
 }  // namespace
@@ -76,19 +76,19 @@ double distance_to_outline(const Outline& outline, const Eigen::Vector2d& p_R) {
   return std::hypot(beyond_x, beyond_y);
 }
 
-FreeWay free_way(const Outline& outline, double clearance, const std::vector<SeenPoint>& points,
-                 const std::vector<WayPose>& way) {
-  FreeWay free;
-  if (way.size() < 2) return free;
+FreePath free_path(const Outline& outline, double clearance, const std::vector<SeenPoint>& points,
+                   const std::vector<PathPose>& path) {
+  FreePath free;
+  if (path.size() < 2) return free;
   std::vector<Standpoint> standpoints;
-  standpoints.reserve(way.size());
-  for (const WayPose& pose : way) {
+  standpoints.reserve(path.size());
+  for (const PathPose& pose : path) {
     standpoints.push_back(
         {pose.X_RS.position(), std::cos(pose.X_RS.heading), std::sin(pose.X_RS.heading), pose.length});
   }
-  free.length = way.back().length;
+  free.length = path.back().length;
   for (const SeenPoint& point : points) {
-    const double length = way_to(outline, std::max(clearance, point.blind_range), point.p_R, standpoints);
+    const double length = length_until_near(outline, std::max(clearance, point.blind_range), point.p_R, standpoints);
     if (length >= free.length) continue;
     free.length = length;
     free.limited = true;

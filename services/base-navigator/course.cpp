@@ -27,38 +27,38 @@ Course steer(const CourseParameters& parameters, const PlanePose& X_GR, Directio
   return course;
 }
 
-std::vector<WayPose> course_way(const CourseParameters& parameters, const PlanePose& X_GR, Direction direction,
-                                double step, double length) {
+std::vector<PathPose> course_path(const CourseParameters& parameters, const PlanePose& X_GR, Direction direction,
+                                  double step, double length) {
   const PlanePose X_RG = X_GR.inverse();
-  std::vector<WayPose> way = {{PlanePose(), 0.0}};
+  std::vector<PathPose> path = {{PlanePose(), 0.0}};
   PlanePose X_GS = X_GR;
   for (double gone = 0.0; gone < length;) {
     const Course course = steer(parameters, X_GS, direction);
-    if (course.remaining <= 0.0 && way.size() > 1) break;
+    if (course.remaining <= 0.0 && path.size() > 1) break;
     const double ds = std::clamp(course.remaining, 0.2 * step, step);
     X_GS = X_GS * PlanePose{sign_of(direction) * ds, 0.0, course.curvature * ds};
     gone += ds;
-    way.push_back({X_RG * X_GS, gone});
+    path.push_back({X_RG * X_GS, gone});
   }
-  return way;
+  return path;
 }
 
-std::vector<WayPose> straight_way(Direction direction, double step, double length) {
-  std::vector<WayPose> way = {{PlanePose(), 0.0}};
+std::vector<PathPose> straight_path(Direction direction, double step, double length) {
+  std::vector<PathPose> path = {{PlanePose(), 0.0}};
   const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
   for (int i = 1; i <= steps; ++i) {
     const double gone = length * i / steps;
-    way.push_back({{sign_of(direction) * gone, 0.0, 0.0}, gone});
+    path.push_back({{sign_of(direction) * gone, 0.0, 0.0}, gone});
   }
-  return way;
+  return path;
 }
 
-std::vector<WayPose> turning_way(const Outline& outline, double angle, double step) {
-  std::vector<WayPose> way = {{PlanePose(), 0.0}};
+std::vector<PathPose> turning_path(const Outline& outline, double angle, double step) {
+  std::vector<PathPose> path = {{PlanePose(), 0.0}};
   const double length = std::abs(angle) * outline.reach();
   const int steps = std::max(1, static_cast<int>(std::ceil(length / step)));
-  for (int i = 1; i <= steps; ++i) way.push_back({{0.0, 0.0, angle * i / steps}, length * i / steps});
-  return way;
+  for (int i = 1; i <= steps; ++i) path.push_back({{0.0, 0.0, angle * i / steps}, length * i / steps});
+  return path;
 }
 
 }  // namespace markservo::base_navigator

@@ -23,15 +23,15 @@ Leg correction(const LegParameters& parameters, const PlanePose& X_GR, const Pla
   if (std::abs(X_GR.y) <= parameters.beside_within || room < parameters.back_off_least) {
     return {X_WG, X_GR.x <= 0.0 ? Direction::kForward : Direction::kBackward, true};
   }
-  const double way = back ? -room : room;
-  const PlanePose X_GV{X_GR.x + way, 0.0, 0.0};
+  const double along = back ? -room : room;
+  const PlanePose X_GV{X_GR.x + along, 0.0, 0.0};
   return {X_WG * X_GV, back ? Direction::kBackward : Direction::kForward, false};
 }
 
 }  // namespace
 
 LegPlan plan_leg(const LegParameters& parameters, const PlanePose& X_WR, const PlanePose& X_WG, bool docking,
-                 bool ran_up, double room_behind, double room_ahead) {
+                 bool staged, double room_behind, double room_ahead) {
   const PlanePose X_GR = X_WG.inverse() * X_WR;
   LegPlan plan;
   plan.there = X_GR.distance() <= parameters.at_goal;
@@ -47,8 +47,8 @@ LegPlan plan_leg(const LegParameters& parameters, const PlanePose& X_WR, const P
     plan.leg = {X_WG, Direction::kBackward, true};
   } else if (X_GR.x < 0.0 && along_axis) {
     plan.leg = {X_WG, Direction::kForward, true};
-  } else if (docking && !ran_up) {
-    plan.leg = straight_to(X_WR, X_WG * PlanePose{-parameters.run_up, 0.0, 0.0}, false);
+  } else if (docking && !staged) {
+    plan.leg = straight_to(X_WR, X_WG * PlanePose{-parameters.staging_distance, 0.0, 0.0}, false);
   } else {
     plan.leg = straight_to(X_WR, X_WG, true);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which way leads to a goal: where the next leg ends, with which heading, and whether it is driven forward.
+// How a goal is reached: where the next leg ends, with which heading, and whether it is driven forward.
 
 #include "common/geometry/plane_pose.hpp"
 #include "services/base-navigator/course.hpp"
@@ -8,15 +8,15 @@
 namespace markservo::base_navigator {
 
 struct LegParameters {
-  double heading_within = 0.8;   // rad between the way and the goal's heading, up to which the way curves into it
-  double reverse_within = 1.0;   // m; a goal so near behind the robot is reversed to: its sonars look there too
-  double docking_below = 0.15;   // m of clearance; such a goal is entered straight, as there is no room to turn at it
-  double run_up = 0.5;           // m, from where it is entered
-  double at_goal = 0.012;        // m; so near, nothing but the heading is left to be corrected
-  double beside_within = 0.012;  // m beside the goal's axis that need no run-up: a straight move does
-  double near = 0.15;            // m; so near a goal is a correction, not a journey
-  double back_off = 0.3;         // m, to take out what is beside the axis
-  double back_off_least = 0.1;   // m of room, below which that gains nothing
+  double heading_within = 0.8;    // rad between path and goal's heading, up to which the path curves into it
+  double reverse_within = 1.0;    // m; a goal so near behind the robot is reversed to: its sonars look there too
+  double docking_below = 0.15;    // m of clearance; such a goal is entered straight, as there is no room to turn at it
+  double staging_distance = 0.5;  // m before it, from where it is entered
+  double at_goal = 0.012;         // m; so near, nothing but the heading is left to be corrected
+  double beside_within = 0.012;   // m beside the goal's axis that need no staging: a straight move does
+  double near = 0.15;             // m; so near a goal is a correction, not a journey
+  double back_off = 0.3;          // m, to take out what is beside the axis
+  double back_off_least = 0.1;    // m of room, below which that gains nothing
 };
 
 struct Leg {
@@ -31,8 +31,8 @@ struct LegPlan {
 };
 
 // `room_behind` and `room_ahead`: m that can be gone straight, looked at as far as a correction needs.
-// `ran_up`: the point before the goal has been used already.
+// `staged`: the staging pose before the goal has been used already.
 LegPlan plan_leg(const LegParameters& parameters, const geometry::PlanePose& X_WR, const geometry::PlanePose& X_WG,
-                 bool docking, bool ran_up, double room_behind, double room_ahead);
+                 bool docking, bool staged, double room_behind, double room_ahead);
 
 }  // namespace markservo::base_navigator

@@ -11,10 +11,10 @@ namespace {
 
 using geometry::PlanePose;
 
-constexpr double kWayStep_m = 0.03;
+constexpr double kPathStep_m = 0.03;
 constexpr double kLegEnd_m = 0.004;      // before a leg's end: what is left is less than the pose knows
 constexpr double kLooseLegEnd_m = 0.03;  // where another leg follows
-constexpr double kWrongWay_m_s = 0.03;   // still rolling the other way, or rolling while it should turn on the spot
+constexpr double kRolling_m_s = 0.03;    // still rolling the other way, or rolling while it should turn on the spot
 
 struct Error {
   double distance;
@@ -96,7 +96,7 @@ void Manoeuvre::plan(const Situation& situation, const Assignment& goal, Manoeuv
   const double behind = straight_room(situation, goal.clearance, Direction::kBackward, look);
   const double ahead = straight_room(situation, goal.clearance, Direction::kForward, look);
   const bool docking = goal.clearance < legs.docking_below;
-  const LegPlan plan = plan_leg(legs, situation.X_WR, goal.X_WG, docking, state.ran_up, behind, ahead);
+  const LegPlan plan = plan_leg(legs, situation.X_WR, goal.X_WG, docking, state.staged, behind, ahead);
   state.passage = PassageState();
   state.standing_since = 0;
   if (plan.there) {
@@ -110,22 +110,22 @@ void Manoeuvre::plan(const Situation& situation, const Assignment& goal, Manoeuv
 }
 
 Advice Manoeuvre::turn(const Situation& situation, const Assignment& goal, double angle, ManoeuvreState& state) const {
-  Motion wish;
-  if (std::abs(situation.measured.speed) > kWrongWay_m_s) return {wish, DriveState::kDriving, ""};
+  Motion desired;
+  if (std::abs(situation.measured.speed) > kRolling_m_s) return {desired, DriveState::kDriving, ""};
   const MotionParameters& motion = parameters_.motion;
   const double rate = std::clamp(stopping_speed(std::abs(angle), motion.turn_acceleration, parameters_.goal_reaction),
                                  parameters_.turn_creep, motion.turn_rate);
-  wish.turn_rate = std::copysign(rate, angle);
+  desired.turn_rate = std::copysign(rate, angle);
   const double clearance = std::min(goal.clearance, parameters_.passage.turn_clearance);
-  const FreeWay free = free_way(outline_, clearance, situation.points, turning_way(outline_, angle, kWayStep_m));
+  const FreePath free = free_path(outline_, clearance, situation.points, turning_path(outline_, angle, kPathStep_m));
   const double reach = outline_.reach();
-  Passage passage = pass(parameters_.passage, motion.turn_acceleration * reach, free, clearance, rate * reach, wish,
+  Passage passage = pass(parameters_.passage, motion.turn_acceleration * reach, free, clearance, rate * reach, desired,
                          situation.utime, state.passage);
   if (passage.blocked) return make_room(situation, goal, free, passage, state);
   return {passage.motion, DriveState::kDriving, ""};
 }
 
-Advice Manoeuvre::make_room(const Situation& situation, const Assignment& goal, const FreeWay& turn,
+Advice Manoeuvre::make_room(const Situation& situation, const Assignment& goal, const FreePath& turn,
                             const Passage& blocked, ManoeuvreState& state) const {
   const Error error = error_of(situation.X_WR, goal.X_WG);
   if (state.phase == Phase::kTurnToHeading && coarsely_there(parameters_.arrival, error)) {
@@ -158,19 +158,19 @@ Advice Manoeuvre::drive(const Situation& situation, const Assignment& goal, Mano
     state.phase = Phase::kPlan;
     return {stand(), DriveState::kDriving, ""};
   }
-  if (situation.measured.speed * sign_of(direction) < -kWrongWay_m_s) return {stand(), DriveState::kDriving, ""};
+  if (situation.measured.speed * sign_of(direction) < -kRolling_m_s) return {stand(), DriveState::kDriving, ""};
 
   double speed = std::min(goal.speed, motion.speed);
   speed = std::min(speed, stopping_speed(course.remaining, motion.acceleration, parameters_.goal_reaction));
   speed = std::min(speed, motion.turn_rate / std::max(std::abs(course.curvature), 1e-3));
   speed = std::max(speed, std::min(parameters_.creep, goal.speed));
-  Motion wish;
-  wish.speed = sign_of(direction) * speed;
-  wish.curvature = course.curvature;
-  const auto way = course_way(parameters_.course, X_VR, direction, kWayStep_m, sight_length());
-  const FreeWay free = free_way(outline_, goal.clearance, situation.points, way);
-  const Passage passage =
-      pass(parameters_.passage, motion.acceleration, free, goal.clearance, speed, wish, situation.utime, state.passage);
+  Motion desired;
+  desired.speed = sign_of(direction) * speed;
+  desired.curvature = course.curvature;
+  const auto path = course_path(parameters_.course, X_VR, direction, kPathStep_m, sight_length());
+  const FreePath free = free_path(outline_, goal.clearance, situation.points, path);
+  const Passage passage = pass(parameters_.passage, motion.acceleration, free, goal.clearance, speed, desired,
+                               situation.utime, state.passage);
   if (!passage.blocked) return {passage.motion, DriveState::kDriving, ""};
   if (ends_at_obstacle(situation, goal, state)) {
     state.leg.to_goal = true;
@@ -197,7 +197,7 @@ void Manoeuvre::end_leg(ManoeuvreState& state) const {
   if (state.leg.to_goal) {
     state.phase = Phase::kTurnToHeading;
   } else {
-    state.ran_up = true;
+    state.staged = true;
     state.phase = Phase::kPlan;
   }
 }
@@ -247,18 +247,18 @@ void Manoeuvre::correct(const Situation& situation, const Assignment& goal, Mano
 
 Advice Manoeuvre::creep(const Situation& situation, double clearance, Direction direction, double speed,
                         PassageState& state) const {
-  const FreeWay free =
-      free_way(outline_, clearance, situation.points, straight_way(direction, kWayStep_m, sight_length()));
-  Motion wish;
-  wish.speed = sign_of(direction) * speed;
-  const Passage passage =
-      pass(parameters_.passage, parameters_.motion.acceleration, free, clearance, speed, wish, situation.utime, state);
+  const FreePath free =
+      free_path(outline_, clearance, situation.points, straight_path(direction, kPathStep_m, sight_length()));
+  Motion desired;
+  desired.speed = sign_of(direction) * speed;
+  const Passage passage = pass(parameters_.passage, parameters_.motion.acceleration, free, clearance, speed, desired,
+                               situation.utime, state);
   return {passage.motion, passage.blocked ? DriveState::kBlocked : DriveState::kDriving, passage.reason};
 }
 
 double Manoeuvre::straight_room(const Situation& situation, double clearance, Direction direction,
                                 double length) const {
-  return free_way(outline_, clearance, situation.points, straight_way(direction, kWayStep_m, length)).length;
+  return free_path(outline_, clearance, situation.points, straight_path(direction, kPathStep_m, length)).length;
 }
 
 bool Manoeuvre::standing(const Situation& situation) const {
@@ -266,9 +266,10 @@ bool Manoeuvre::standing(const Situation& situation) const {
          std::abs(situation.measured.turn_rate) <= parameters_.arrival.standing_turn_rate;
 }
 
-// m of way that matters: what it takes to stop comfortably from the greatest speed.
+// m of path that matters: what it takes to stop comfortably from the greatest speed.
 double Manoeuvre::sight_length() const {
-  return stopping_way(parameters_.motion.speed, parameters_.motion.acceleration, parameters_.passage.reaction) + 0.3;
+  return stopping_distance(parameters_.motion.speed, parameters_.motion.acceleration, parameters_.passage.reaction) +
+         0.3;
 }
 
 }  // namespace markservo::base_navigator

@@ -74,7 +74,7 @@ struct RoomMark {
 struct ManoeuvreState {
   Phase phase = Phase::kPlan;
   Leg leg;
-  bool ran_up = false;  // the point before the goal has been used
+  bool staged = false;  // the staging pose before the goal has been used
   int corrections = 0;
   std::int64_t standing_since = 0;    // us; 0: not standing
   double room_made = 0.0;             // m gone to where it can turn
@@ -100,7 +100,7 @@ class Manoeuvre {
   Advice creep(const Situation& situation, double clearance, Direction direction, double speed,
                PassageState& state) const;
 
-  // m of straight way that can be gone, `length` at most.
+  // m of straight path that can be gone, `length` at most.
   double straight_room(const Situation& situation, double clearance, Direction direction, double length) const;
 
   // After a pause for another reason: what was under way is planned anew.
@@ -110,7 +110,7 @@ class Manoeuvre {
   void plan(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
   static void count_room(const Situation& situation, ManoeuvreState& state);
   Advice turn(const Situation& situation, const Assignment& goal, double angle, ManoeuvreState& state) const;
-  Advice make_room(const Situation& situation, const Assignment& goal, const FreeWay& turn, const Passage& blocked,
+  Advice make_room(const Situation& situation, const Assignment& goal, const FreePath& turn, const Passage& blocked,
                    ManoeuvreState& state) const;
   Advice drive(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
   Advice settle(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;

@@ -16,10 +16,10 @@ struct MotionParameters {
   double command_lead = 0.3;       // s of acceleration by which a command may be ahead of the measured speed
 };
 
-// The wish of one step.
+// What one step asks for.
 struct Motion {
   double speed = 0.0;      // m/s, backward below 0
-  double curvature = 0.0;  // rad per m of way
+  double curvature = 0.0;  // rad per m of path
   double turn_rate = 0.0;  // rad/s, beside what the curvature makes
   bool brake = false;      // with all the base can
 };

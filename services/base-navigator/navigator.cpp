@@ -272,7 +272,7 @@ std::string Navigator::why_lost(const NavigatorState& state) const {
     return text;
   }
   if (!heading_known && state.explore.failed) {
-    std::snprintf(text, sizeof text, "the heading did not become known within %.2f m", explore.way);
+    std::snprintf(text, sizeof text, "the heading did not become known within %.2f m", explore.distance);
     return text;
   }
   return "";
@@ -308,13 +308,13 @@ std::optional<Advice> Navigator::explore(const Situation& situation, double clea
     explore.epoch = state.track.epoch();
     explore.X_OR_start = state.track.newest();
     explore.passage = PassageState();
-    const double ahead = manoeuvre_.straight_room(situation, clearance, Direction::kForward, parameters.way);
-    const double behind = manoeuvre_.straight_room(situation, clearance, Direction::kBackward, parameters.way);
+    const double ahead = manoeuvre_.straight_room(situation, clearance, Direction::kForward, parameters.distance);
+    const double behind = manoeuvre_.straight_room(situation, clearance, Direction::kBackward, parameters.distance);
     const bool back = ahead < kExploreRoom_m && behind > ahead;
     explore.direction = back ? Direction::kBackward : Direction::kForward;
   }
   const double gone = (explore.X_OR_start.inverse() * state.track.newest()).distance();
-  if (gone >= parameters.way) {
+  if (gone >= parameters.distance) {
     explore.failed = true;
     explore.active = false;
     return Advice{brake(), DriveState::kLost, "the heading did not become known"};

@@ -31,7 +31,7 @@ struct TrustParameters {
 struct ExploreParameters {
   bool enabled = true;
   double speed = 0.1;            // m/s
-  double way = 0.4;              // m at most: four tags
+  double distance = 0.4;         // m at most: four tags
   double heading_known = 0.15;   // rad, the sigma at which it ends
   double position_sigma = 0.20;  // m; without a heading the position is known less well while it moves
 };

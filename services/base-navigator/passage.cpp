@@ -8,7 +8,7 @@
 namespace markservo::base_navigator {
 namespace {
 
-void watch(const PassageParameters& parameters, const FreeWay& free, std::int64_t utime, PassageState& state) {
+void watch(const PassageParameters& parameters, const FreePath& free, std::int64_t utime, PassageState& state) {
   if (!state.blocked) {
     state.blocked = free.limited && free.length < parameters.blocked_below;
     state.free_since = 0;
@@ -25,17 +25,17 @@ void watch(const PassageParameters& parameters, const FreeWay& free, std::int64_
 
 }  // namespace
 
-Passage pass(const PassageParameters& parameters, double braking, const FreeWay& free, double clearance,
-             double way_speed, const Motion& wish, std::int64_t utime, PassageState& state) {
+Passage pass(const PassageParameters& parameters, double braking, const FreePath& free, double clearance,
+             double path_speed, const Motion& desired, std::int64_t utime, PassageState& state) {
   watch(parameters, free, utime, state);
   Passage passage;
-  passage.motion = wish;
+  passage.motion = desired;
   passage.blocked = state.blocked;
   if (!free.limited && !state.blocked) return passage;
   const double allowed = state.blocked ? 0.0 : stopping_speed(free.length, braking, parameters.reaction);
-  if (allowed < way_speed) {
-    passage.motion.speed *= allowed / way_speed;
-    passage.motion.turn_rate *= allowed / way_speed;
+  if (allowed < path_speed) {
+    passage.motion.speed *= allowed / path_speed;
+    passage.motion.turn_rate *= allowed / path_speed;
     passage.motion.brake = true;
   }
   if (!state.blocked) return passage;

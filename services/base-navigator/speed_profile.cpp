@@ -5,12 +5,12 @@
 
 namespace markservo::base_navigator {
 
-double stopping_speed(double way, double braking, double reaction) {
-  if (way <= 0.0) return 0.0;
-  return braking * (std::sqrt(reaction * reaction + 2.0 * way / braking) - reaction);
+double stopping_speed(double distance, double braking, double reaction) {
+  if (distance <= 0.0) return 0.0;
+  return braking * (std::sqrt(reaction * reaction + 2.0 * distance / braking) - reaction);
 }
 
-double stopping_way(double speed, double braking, double reaction) {
+double stopping_distance(double speed, double braking, double reaction) {
   const double v = std::abs(speed);
   return v * reaction + v * v / (2.0 * braking);
 }

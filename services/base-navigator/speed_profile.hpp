@@ -5,12 +5,12 @@
 
 namespace markservo::base_navigator {
 
-// The greatest speed from which one stops within `way`: `reaction` s go by at that speed, then it falls by `braking`
-// per second. 0 where way is 0 or less. braking and reaction are above 0.
-double stopping_speed(double way, double braking, double reaction);
+// The greatest speed from which one stops within `distance`: `reaction` s go by at that speed, then it falls by
+// `braking` per second. 0 where distance is 0 or less. braking and reaction are above 0.
+double stopping_speed(double distance, double braking, double reaction);
 
-// The way from `speed` to rest: the inverse of the above.
-double stopping_way(double speed, double braking, double reaction);
+// From `speed` to rest: the inverse of the above.
+double stopping_distance(double speed, double braking, double reaction);
 
 // The speed `seconds` after `from` on the way to `target`: it grows by `acceleration` per second at most, and falls
 // towards 0 by `braking`; it does not change its sign within one step.
