@@ -8,10 +8,10 @@
 
 #include "common/motion/goal_inbox.hpp"
 #include "common/robot/robot_description.hpp"
-#include "services/base-navigator/manoeuvre.hpp"
+#include "services/base-navigator/drive/manoeuvre.hpp"
+#include "services/base-navigator/kinematics/odometry_track.hpp"
 #include "services/base-navigator/navigator_types.hpp"
-#include "services/base-navigator/odometry_track.hpp"
-#include "services/base-navigator/sonar_memory.hpp"
+#include "services/base-navigator/obstacles/sonar_memory.hpp"
 
 namespace markservo::base_navigator {
 

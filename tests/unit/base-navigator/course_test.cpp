@@ -1,10 +1,10 @@
-#include "services/base-navigator/course.hpp"
+#include "services/base-navigator/kinematics/course.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "services/base-navigator/leg_plan.hpp"
+#include "services/base-navigator/drive/leg_plan.hpp"
 
 namespace markservo::base_navigator {
 namespace {

@@ -1,9 +1,9 @@
-#include "services/base-navigator/motion.hpp"
+#include "services/base-navigator/kinematics/motion.hpp"
 
 #include <gtest/gtest.h>
 
-#include "services/base-navigator/passage.hpp"
-#include "services/base-navigator/speed_profile.hpp"
+#include "services/base-navigator/kinematics/speed_profile.hpp"
+#include "services/base-navigator/obstacles/passage.hpp"
 
 namespace markservo::base_navigator {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "services/base-navigator/clearance.hpp"
-#include "services/base-navigator/motion.hpp"
+#include "services/base-navigator/kinematics/motion.hpp"
+#include "services/base-navigator/obstacles/free_path.hpp"
 
 namespace markservo::base_navigator {
 

@@ -3,7 +3,7 @@
 // How a goal is reached: where the next leg ends, with which heading, and whether it is driven forward.
 
 #include "common/geometry/plane_pose.hpp"
-#include "services/base-navigator/course.hpp"
+#include "services/base-navigator/kinematics/course.hpp"
 
 namespace markservo::base_navigator {
 

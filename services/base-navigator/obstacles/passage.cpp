@@ -1,9 +1,9 @@
-#include "services/base-navigator/passage.hpp"
+#include "services/base-navigator/obstacles/passage.hpp"
 
 #include <cstdio>
 
+#include "services/base-navigator/kinematics/speed_profile.hpp"
 #include "services/base-navigator/navigator_types.hpp"
-#include "services/base-navigator/speed_profile.hpp"
 
 namespace markservo::base_navigator {
 namespace {

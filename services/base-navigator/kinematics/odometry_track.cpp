@@ -1,4 +1,4 @@
-#include "services/base-navigator/odometry_track.hpp"
+#include "services/base-navigator/kinematics/odometry_track.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "services/base-navigator/speed_profile.hpp"
+#include "services/base-navigator/kinematics/speed_profile.hpp"
 
 #include <algorithm>
 #include <cmath>

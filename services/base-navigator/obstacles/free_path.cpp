@@ -1,4 +1,4 @@
-#include "services/base-navigator/clearance.hpp"
+#include "services/base-navigator/obstacles/free_path.hpp"
 
 #include <algorithm>
 #include <array>
@@ -65,16 +65,6 @@ double length_until_near(const Outline& outline, double clearance, const Eigen::
 }
 
 }  // namespace
-
-double Outline::reach() const {
-  return std::hypot(std::max(front, rear), half_width);
-}
-
-double distance_to_outline(const Outline& outline, const Eigen::Vector2d& p_R) {
-  const double beyond_x = std::max({p_R.x() - outline.front, -outline.rear - p_R.x(), 0.0});
-  const double beyond_y = std::max(std::abs(p_R.y()) - outline.half_width, 0.0);
-  return std::hypot(beyond_x, beyond_y);
-}
 
 FreePath free_path(const Outline& outline, double clearance, const std::vector<SeenPoint>& points,
                    const std::vector<PathPose>& path) {

@@ -1,4 +1,4 @@
-#include "services/base-navigator/flat_face.hpp"
+#include "services/base-navigator/obstacles/flat_face.hpp"
 
 #include <algorithm>
 #include <array>

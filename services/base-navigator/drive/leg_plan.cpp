@@ -1,4 +1,4 @@
-#include "services/base-navigator/leg_plan.hpp"
+#include "services/base-navigator/drive/leg_plan.hpp"
 
 #include <algorithm>
 #include <cmath>

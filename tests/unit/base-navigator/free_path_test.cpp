@@ -1,11 +1,11 @@
-#include "services/base-navigator/clearance.hpp"
+#include "services/base-navigator/obstacles/free_path.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "services/base-navigator/course.hpp"
+#include "services/base-navigator/kinematics/course.hpp"
 
 namespace markservo::base_navigator {
 namespace {
@@ -22,7 +22,7 @@ SeenPoint at(double x, double y) {
   return point;
 }
 
-TEST(Clearance, StopsItsDistanceBeforeWhatStandsInTheWay) {
+TEST(FreePath, StopsItsDistanceBeforeWhatStandsInTheWay) {
   const FreePath free = free_path(kOutline, 0.15, {at(1.0, 0.0)}, kAhead);
   EXPECT_TRUE(free.limited);
   EXPECT_NEAR(free.length, 1.0 - 0.22 - 0.15, 1e-6);
@@ -30,18 +30,18 @@ TEST(Clearance, StopsItsDistanceBeforeWhatStandsInTheWay) {
   EXPECT_EQ(side_of(free.bearing), "ahead");
 }
 
-TEST(Clearance, OnlyTheDirectionOfMotionCounts) {
+TEST(FreePath, OnlyTheDirectionOfMotionCounts) {
   EXPECT_FALSE(free_path(kOutline, 0.15, {at(1.0, 0.0)}, kBack).limited);
   EXPECT_NEAR(free_path(kOutline, 0.15, {at(-1.0, 0.0)}, kBack).length, 1.0 - 0.18 - 0.15, 1e-6);
 }
 
-TEST(Clearance, WhatIsBesideTheCorridorCountsWhenNearerThanTheClearance) {
+TEST(FreePath, WhatIsBesideTheCorridorCountsWhenNearerThanTheClearance) {
   EXPECT_FALSE(free_path(kOutline, 0.09, {at(1.0, 0.28)}, kAhead).limited);
   EXPECT_TRUE(free_path(kOutline, 0.11, {at(1.0, 0.28)}, kAhead).limited);
   EXPECT_TRUE(free_path(kOutline, 0.01, {at(1.0, 0.17)}, kAhead).limited);
 }
 
-TEST(Clearance, WhatIsTooNearAlreadyForbidsOnlyComingCloser) {
+TEST(FreePath, WhatIsTooNearAlreadyForbidsOnlyComingCloser) {
   const SeenPoint shelf = at(0.30, 0.0);  // 8 cm before the front
   EXPECT_EQ(free_path(kOutline, 0.15, {shelf}, kAhead).length, 0.0);
   EXPECT_FALSE(free_path(kOutline, 0.15, {shelf}, kBack).limited);
@@ -60,7 +60,7 @@ double nearest_on(const FreePath& free, const std::vector<PathPose>& path, const
   return least;
 }
 
-TEST(Clearance, ATurnEndsBeforeItSweepsThroughWhatIsTooNearAlready) {
+TEST(FreePath, ATurnEndsBeforeItSweepsThroughWhatIsTooNearAlready) {
   const auto turn = turning_path(kOutline, M_PI / 2.0, 0.03);
   // 4 cm before the front: of the first one the turn even leads away at first.
   for (const SeenPoint& pole : {at(0.26, 0.10), at(0.26, 0.0)}) {
@@ -71,7 +71,7 @@ TEST(Clearance, ATurnEndsBeforeItSweepsThroughWhatIsTooNearAlready) {
   }
 }
 
-TEST(Clearance, ACurvedWayEndsBeforeItsSideSwingsThroughWhatIsTooNearAlready) {
+TEST(FreePath, ACurvedWayEndsBeforeItsSideSwingsThroughWhatIsTooNearAlready) {
   const SeenPoint post = at(0.05, 0.21);  // 3 cm beside the robot
   std::vector<PathPose> path = {{PlanePose(), 0.0}};
   for (int i = 1; i <= 10; ++i) {
@@ -82,20 +82,20 @@ TEST(Clearance, ACurvedWayEndsBeforeItsSideSwingsThroughWhatIsTooNearAlready) {
   EXPECT_GE(nearest_on(free, path, post), 0.02);
 }
 
-TEST(Clearance, NoiseOfACentimetreIsNoApproachToWhatIsTooNearAlready) {
+TEST(FreePath, NoiseOfACentimetreIsNoApproachToWhatIsTooNearAlready) {
   std::vector<PathPose> path = {{PlanePose(), 0.0}};
   for (int i = 1; i <= 10; ++i) path.push_back({{0.03 * i, 0.0005 * i, 0.001 * i}, 0.03 * i});
   EXPECT_FALSE(free_path(kOutline, 0.05, {at(0.0, 0.22)}, path).limited);
 }
 
-TEST(Clearance, AnEchoTooNearToBeMeasuredKeepsTheWholeBlindRange) {
+TEST(FreePath, AnEchoTooNearToBeMeasuredKeepsTheWholeBlindRange) {
   SeenPoint blind = at(0.32, 0.0);
   blind.blind_range = 0.10;
   EXPECT_LT(free_path(kOutline, 0.03, {blind}, kAhead).length, 1e-6);
   EXPECT_NEAR(free_path(kOutline, 0.03, {at(0.32, 0.0)}, kAhead).length, 0.07, 1e-6);
 }
 
-TEST(Clearance, ACurvedWaySweepsItsOwnCorridor) {
+TEST(FreePath, ACurvedWaySweepsItsOwnCorridor) {
   // A goal 1 m ahead and 0.4 m to the left: the path leaves the point ahead on the right, and meets the one on the
   // left.
   const PlanePose X_GR{-1.0, -0.4, 0.0};
@@ -105,13 +105,13 @@ TEST(Clearance, ACurvedWaySweepsItsOwnCorridor) {
   EXPECT_TRUE(free_path(kOutline, 0.05, {at(1.0, 0.1)}, kAhead).limited);
 }
 
-TEST(Clearance, NothingBeyondTheGoalCounts) {
+TEST(FreePath, NothingBeyondTheGoalCounts) {
   const auto path = course_path(CourseParameters(), {-0.5, 0.0, 0.0}, Direction::kForward, 0.03, 3.0);
   EXPECT_FALSE(free_path(kOutline, 0.12, {at(0.5 + 0.22 + 0.125, 0.0)}, path).limited);
   EXPECT_TRUE(free_path(kOutline, 0.13, {at(0.5 + 0.22 + 0.125, 0.0)}, path).limited);
 }
 
-TEST(Clearance, TurningSweepsTheCorners) {
+TEST(FreePath, TurningSweepsTheCorners) {
   const double reach = std::hypot(0.22, 0.18);
   const auto turn = turning_path(kOutline, M_PI, 0.03);
   EXPECT_FALSE(free_path(kOutline, 0.05, {at(reach + 0.06, 0.0)}, turn).limited);
@@ -120,7 +120,7 @@ TEST(Clearance, TurningSweepsTheCorners) {
   EXPECT_GT(free.length, 0.0);
 }
 
-TEST(Clearance, NamesTheSideForPeople) {
+TEST(FreePath, NamesTheSideForPeople) {
   EXPECT_EQ(side_of(0.8), "ahead on the left");
   EXPECT_EQ(side_of(-1.6), "on the right");
   EXPECT_EQ(side_of(M_PI), "behind");

@@ -1,4 +1,4 @@
-#include "services/base-navigator/sonar_memory.hpp"
+#include "services/base-navigator/obstacles/sonar_memory.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "services/base-navigator/clearance.hpp"
-#include "services/base-navigator/flat_face.hpp"
+#include "services/base-navigator/kinematics/odometry_track.hpp"
 #include "services/base-navigator/navigator_types.hpp"
-#include "services/base-navigator/odometry_track.hpp"
+#include "services/base-navigator/obstacles/flat_face.hpp"
+#include "services/base-navigator/obstacles/free_path.hpp"
 
 namespace markservo::base_navigator {
 

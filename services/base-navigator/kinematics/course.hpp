@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "common/geometry/plane_pose.hpp"
-#include "services/base-navigator/clearance.hpp"
+#include "services/base-navigator/kinematics/path.hpp"
 
 namespace markservo::base_navigator {
 
@@ -20,12 +20,6 @@ struct CourseParameters {
   double lookahead = 0.25;  // m; shorter follows pose noise of 1 cm with jerks, longer leaves more lateral error
   double curvature_max = 4.0;  // 1/m
 };
-
-enum class Direction { kForward = 1, kBackward = -1 };
-
-inline double sign_of(Direction direction) {
-  return direction == Direction::kForward ? 1.0 : -1.0;
-}
 
 struct Course {
   double curvature = 0.0;      // rad per m of path, counter-clockwise; forward and backward alike
@@ -39,11 +33,5 @@ Course steer(const CourseParameters& parameters, const geometry::PlanePose& X_GR
 // The poses that the law leads through, every `step` m, up to the goal or for `length` m; never fewer than two.
 std::vector<PathPose> course_path(const CourseParameters& parameters, const geometry::PlanePose& X_GR,
                                   Direction direction, double step, double length);
-
-// Straight on, forward or backward.
-std::vector<PathPose> straight_path(Direction direction, double step, double length);
-
-// On the spot by `angle` (rad, counter-clockwise). Its length is that of the path of the outline's farthest corner.
-std::vector<PathPose> turning_path(const Outline& outline, double angle, double step);
 
 }  // namespace markservo::base_navigator

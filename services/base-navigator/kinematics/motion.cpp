@@ -1,9 +1,9 @@
-#include "services/base-navigator/motion.hpp"
+#include "services/base-navigator/kinematics/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "services/base-navigator/speed_profile.hpp"
+#include "services/base-navigator/kinematics/speed_profile.hpp"
 
 namespace markservo::base_navigator {
 

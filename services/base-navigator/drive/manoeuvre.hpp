@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "services/base-navigator/clearance.hpp"
-#include "services/base-navigator/course.hpp"
-#include "services/base-navigator/leg_plan.hpp"
-#include "services/base-navigator/motion.hpp"
-#include "services/base-navigator/passage.hpp"
+#include "services/base-navigator/drive/leg_plan.hpp"
+#include "services/base-navigator/kinematics/course.hpp"
+#include "services/base-navigator/kinematics/motion.hpp"
+#include "services/base-navigator/obstacles/free_path.hpp"
+#include "services/base-navigator/obstacles/passage.hpp"
 
 namespace markservo::base_navigator {
 

@@ -1,10 +1,10 @@
-#include "services/base-navigator/manoeuvre.hpp"
+#include "services/base-navigator/drive/manoeuvre.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "services/base-navigator/speed_profile.hpp"
+#include "services/base-navigator/kinematics/speed_profile.hpp"
 
 namespace markservo::base_navigator {
 namespace {
