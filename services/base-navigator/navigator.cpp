@@ -61,9 +61,9 @@ std::string why_old(const char* what, std::int64_t utime, std::int64_t now, doub
 
 Navigator::Navigator(const robot::RobotDescription& robot, const NavigatorParameters& parameters)
     : parameters_(within_limits(parameters, base_of(robot))),
-      outline_(outline_of(base_of(robot))),
       sonars_(*robot.sonars),
-      manoeuvre_(outline_, parameters_.manoeuvre) {}
+      guard_(outline_of(base_of(robot)), parameters_.manoeuvre.motion, parameters_.manoeuvre.passage),
+      manoeuvre_(guard_, parameters_.manoeuvre) {}
 
 std::string Navigator::observe(const OdometrySample& sample, NavigatorState& state) const {
   if (state.first_utime == 0 || sample.utime < state.first_utime) state.first_utime = sample.utime;
@@ -308,8 +308,8 @@ std::optional<Advice> Navigator::explore(const Situation& situation, double clea
     explore.epoch = state.track.epoch();
     explore.X_OR_start = state.track.newest();
     explore.passage = PassageState();
-    const double ahead = manoeuvre_.straight_room(situation, clearance, Direction::kForward, parameters.distance);
-    const double behind = manoeuvre_.straight_room(situation, clearance, Direction::kBackward, parameters.distance);
+    const double ahead = guard_.straight_room(situation, clearance, Direction::kForward, parameters.distance);
+    const double behind = guard_.straight_room(situation, clearance, Direction::kBackward, parameters.distance);
     const bool back = ahead < kExploreRoom_m && behind > ahead;
     explore.direction = back ? Direction::kBackward : Direction::kForward;
   }
@@ -319,7 +319,8 @@ std::optional<Advice> Navigator::explore(const Situation& situation, double clea
     explore.active = false;
     return Advice{brake(), DriveState::kLost, "the heading did not become known"};
   }
-  Advice advice = manoeuvre_.creep(situation, clearance, explore.direction, parameters.speed, explore.passage);
+  Advice advice =
+      advice_of(guard_.straight(situation, clearance, explore.direction, parameters.speed, explore.passage));
   if (advice.reason.empty()) advice.reason = "learning the heading";
   return advice;
 }

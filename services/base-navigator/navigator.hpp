@@ -9,6 +9,7 @@
 #include "common/motion/goal_inbox.hpp"
 #include "common/robot/robot_description.hpp"
 #include "services/base-navigator/drive/manoeuvre.hpp"
+#include "services/base-navigator/drive/path_guard.hpp"
 #include "services/base-navigator/kinematics/odometry_track.hpp"
 #include "services/base-navigator/navigator_types.hpp"
 #include "services/base-navigator/obstacles/sonar_memory.hpp"
@@ -112,8 +113,8 @@ class Navigator {
   std::optional<Advice> explore(const Situation& situation, double clearance, NavigatorState& state) const;
 
   NavigatorParameters parameters_;
-  Outline outline_;
   robot::SonarRingDescription sonars_;
+  PathGuard guard_;
   Manoeuvre manoeuvre_;
 };
 

@@ -11,7 +11,6 @@ namespace {
 
 using geometry::PlanePose;
 
-constexpr double kPathStep_m = 0.03;
 constexpr double kLegEnd_m = 0.004;      // before a leg's end: what is left is less than the pose knows
 constexpr double kLooseLegEnd_m = 0.03;  // where another leg follows
 constexpr double kRolling_m_s = 0.03;    // still rolling the other way, or rolling while it should turn on the spot
@@ -93,8 +92,8 @@ void Manoeuvre::interrupt(ManoeuvreState& state) {
 void Manoeuvre::plan(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
   const LegParameters& legs = parameters_.legs;
   const double look = legs.near + legs.back_off;
-  const double behind = straight_room(situation, goal.clearance, Direction::kBackward, look);
-  const double ahead = straight_room(situation, goal.clearance, Direction::kForward, look);
+  const double behind = guard_.straight_room(situation, goal.clearance, Direction::kBackward, look);
+  const double ahead = guard_.straight_room(situation, goal.clearance, Direction::kForward, look);
   const bool docking = goal.clearance < legs.docking_below;
   const LegPlan plan = plan_leg(legs, situation.X_WR, goal.X_WG, docking, state.staged, behind, ahead);
   state.passage = PassageState();
@@ -110,39 +109,32 @@ void Manoeuvre::plan(const Situation& situation, const Assignment& goal, Manoeuv
 }
 
 Advice Manoeuvre::turn(const Situation& situation, const Assignment& goal, double angle, ManoeuvreState& state) const {
-  Motion desired;
-  if (std::abs(situation.measured.speed) > kRolling_m_s) return {desired, DriveState::kDriving, ""};
+  if (std::abs(situation.measured.speed) > kRolling_m_s) return {stand(), DriveState::kDriving, ""};
   const MotionParameters& motion = parameters_.motion;
   const double rate = std::clamp(stopping_speed(std::abs(angle), motion.turn_acceleration, parameters_.goal_reaction),
                                  parameters_.turn_creep, motion.turn_rate);
-  desired.turn_rate = std::copysign(rate, angle);
-  const double clearance = std::min(goal.clearance, parameters_.passage.turn_clearance);
-  const FreePath free = free_path(outline_, clearance, situation.points, turning_path(outline_, angle, kPathStep_m));
-  const double reach = outline_.reach();
-  Passage passage = pass(parameters_.passage, motion.turn_acceleration * reach, free, clearance, rate * reach, desired,
-                         situation.utime, state.passage);
-  if (passage.blocked) return make_room(situation, goal, free, passage, state);
-  return {passage.motion, DriveState::kDriving, ""};
+  const GuardedTurn turn = guard_.turn(situation, goal.clearance, angle, rate, state.passage);
+  return turn.passage.blocked ? make_room(situation, goal, turn, state) : advice_of(turn.passage);
 }
 
-Advice Manoeuvre::make_room(const Situation& situation, const Assignment& goal, const FreePath& turn,
-                            const Passage& blocked, ManoeuvreState& state) const {
+Advice Manoeuvre::make_room(const Situation& situation, const Assignment& goal, const GuardedTurn& blocked,
+                            ManoeuvreState& state) const {
   const Error error = error_of(situation.X_WR, goal.X_WG);
   if (state.phase == Phase::kTurnToHeading && coarsely_there(parameters_.arrival, error)) {
     state.phase = Phase::kSettle;
     return settle(situation, goal, state);
   }
-  if (turn.limited) {
-    const Direction away = std::abs(turn.bearing) < M_PI / 2.0 ? Direction::kBackward : Direction::kForward;
+  if (blocked.free.limited) {
+    const Direction away = std::abs(blocked.free.bearing) < M_PI / 2.0 ? Direction::kBackward : Direction::kForward;
     const double budget = parameters_.room_step_max * (1 + state.corrections) - state.room_made;
-    const double room = straight_room(situation, goal.clearance, away, 0.3);
+    const double room = guard_.straight_room(situation, goal.clearance, away, 0.3);
     if (budget > 0.0 && room > parameters_.passage.free_above) {
       state.room_mark = RoomMark{situation.X_OR, situation.epoch};
       PassageState passage;
-      return creep(situation, goal.clearance, away, 3.0 * parameters_.creep, passage);
+      return advice_of(guard_.straight(situation, goal.clearance, away, 3.0 * parameters_.creep, passage));
     }
   }
-  return {blocked.motion, DriveState::kBlocked, blocked.reason};
+  return advice_of(blocked.passage);
 }
 
 Advice Manoeuvre::drive(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
@@ -167,17 +159,14 @@ Advice Manoeuvre::drive(const Situation& situation, const Assignment& goal, Mano
   Motion desired;
   desired.speed = sign_of(direction) * speed;
   desired.curvature = course.curvature;
-  const auto path = course_path(parameters_.course, X_VR, direction, kPathStep_m, sight_length());
-  const FreePath free = free_path(outline_, goal.clearance, situation.points, path);
-  const Passage passage = pass(parameters_.passage, motion.acceleration, free, goal.clearance, speed, desired,
-                               situation.utime, state.passage);
-  if (!passage.blocked) return {passage.motion, DriveState::kDriving, ""};
-  if (ends_at_obstacle(situation, goal, state)) {
+  const Passage passage =
+      guard_.course(parameters_.course, situation, goal.clearance, X_VR, direction, desired, state.passage);
+  if (passage.blocked && ends_at_obstacle(situation, goal, state)) {
     state.leg.to_goal = true;
     end_leg(state);
     return {passage.motion, DriveState::kDriving, ""};
   }
-  return {passage.motion, DriveState::kBlocked, passage.reason};
+  return advice_of(passage);
 }
 
 // Blocked at the goal itself: near enough, or the trouble is how the robot stands, and a correction mends that.
@@ -245,31 +234,9 @@ void Manoeuvre::correct(const Situation& situation, const Assignment& goal, Mano
   }
 }
 
-Advice Manoeuvre::creep(const Situation& situation, double clearance, Direction direction, double speed,
-                        PassageState& state) const {
-  const FreePath free =
-      free_path(outline_, clearance, situation.points, straight_path(direction, kPathStep_m, sight_length()));
-  Motion desired;
-  desired.speed = sign_of(direction) * speed;
-  const Passage passage = pass(parameters_.passage, parameters_.motion.acceleration, free, clearance, speed, desired,
-                               situation.utime, state);
-  return {passage.motion, passage.blocked ? DriveState::kBlocked : DriveState::kDriving, passage.reason};
-}
-
-double Manoeuvre::straight_room(const Situation& situation, double clearance, Direction direction,
-                                double length) const {
-  return free_path(outline_, clearance, situation.points, straight_path(direction, kPathStep_m, length)).length;
-}
-
 bool Manoeuvre::standing(const Situation& situation) const {
   return std::abs(situation.measured.speed) <= parameters_.arrival.standing_speed &&
          std::abs(situation.measured.turn_rate) <= parameters_.arrival.standing_turn_rate;
-}
-
-// m of path that matters: what it takes to stop comfortably from the greatest speed.
-double Manoeuvre::sight_length() const {
-  return stopping_distance(parameters_.motion.speed, parameters_.motion.acceleration, parameters_.passage.reaction) +
-         0.3;
 }
 
 }  // namespace markservo::base_navigator

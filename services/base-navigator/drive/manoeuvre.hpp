@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "services/base-navigator/drive/leg_plan.hpp"
+#include "services/base-navigator/drive/path_guard.hpp"
+#include "services/base-navigator/drive/situation.hpp"
 #include "services/base-navigator/kinematics/course.hpp"
 #include "services/base-navigator/kinematics/motion.hpp"
-#include "services/base-navigator/obstacles/free_path.hpp"
 #include "services/base-navigator/obstacles/passage.hpp"
 
 namespace markservo::base_navigator {
@@ -46,24 +46,6 @@ struct ManoeuvreParameters {
   double room_step_max = 0.5;      // m, to go where it can turn; and as much again for each correction
 };
 
-// Where things are now.
-struct Situation {
-  std::int64_t utime = 0;
-  geometry::PlanePose X_OR;  // by the wheels alone: without the jumps of X_WR; O is another frame when epoch is another
-  int epoch = 0;
-  geometry::PlanePose X_WR;
-  double position_sigma = 0.0;
-  double heading_sigma = 0.0;
-  Command measured;
-  std::vector<SeenPoint> points;
-};
-
-struct Assignment {
-  geometry::PlanePose X_WG;
-  double clearance = 0.0;  // m
-  double speed = 0.0;      // m/s, at most
-};
-
 enum class Phase { kPlan, kTurnToCourse, kDrive, kTurnToHeading, kSettle, kArrived, kGivenUp };
 
 struct RoomMark {
@@ -83,25 +65,11 @@ struct ManoeuvreState {
   std::string given_up;  // why
 };
 
-struct Advice {
-  Motion motion;
-  DriveState state = DriveState::kDriving;
-  std::string reason;
-};
-
 class Manoeuvre {
  public:
-  Manoeuvre(const Outline& outline, const ManoeuvreParameters& parameters)
-      : outline_(outline), parameters_(parameters) {}
+  Manoeuvre(const PathGuard& guard, const ManoeuvreParameters& parameters) : guard_(guard), parameters_(parameters) {}
 
   Advice step(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
-
-  // Straight on at `speed` (m/s), as far as nothing is in the way.
-  Advice creep(const Situation& situation, double clearance, Direction direction, double speed,
-               PassageState& state) const;
-
-  // m of straight path that can be gone, `length` at most.
-  double straight_room(const Situation& situation, double clearance, Direction direction, double length) const;
 
   // After a pause for another reason: what was under way is planned anew.
   static void interrupt(ManoeuvreState& state);
@@ -110,7 +78,7 @@ class Manoeuvre {
   void plan(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
   static void count_room(const Situation& situation, ManoeuvreState& state);
   Advice turn(const Situation& situation, const Assignment& goal, double angle, ManoeuvreState& state) const;
-  Advice make_room(const Situation& situation, const Assignment& goal, const FreePath& turn, const Passage& blocked,
+  Advice make_room(const Situation& situation, const Assignment& goal, const GuardedTurn& blocked,
                    ManoeuvreState& state) const;
   Advice drive(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
   Advice settle(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
@@ -118,9 +86,8 @@ class Manoeuvre {
   void correct(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
   bool ends_at_obstacle(const Situation& situation, const Assignment& goal, const ManoeuvreState& state) const;
   bool standing(const Situation& situation) const;
-  double sight_length() const;
 
-  Outline outline_;
+  PathGuard guard_;
   ManoeuvreParameters parameters_;
 };
 
