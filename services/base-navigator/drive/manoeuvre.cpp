@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "services/base-navigator/kinematics/speed_profile.hpp"
 
@@ -15,32 +14,11 @@ constexpr double kLegEnd_m = 0.004;      // before a leg's end: what is left is 
 constexpr double kLooseLegEnd_m = 0.03;  // where another leg follows
 constexpr double kRolling_m_s = 0.03;    // still rolling the other way, or rolling while it should turn on the spot
 
-struct Error {
-  double distance;
-  double heading;
-};
-
-Error error_of(const PlanePose& X_WR, const PlanePose& X_WG) {
-  const PlanePose X_RG = X_WR.inverse() * X_WG;
-  return {X_RG.distance(), X_RG.heading};
-}
-
-bool within(const Error& error, double distance, double heading) {
-  return error.distance <= distance && std::abs(error.heading) <= heading;
-}
-
-bool coarsely_there(const ArrivalParameters& arrival, const Error& error) {
-  return within(error, arrival.coarse_position, arrival.coarse_heading);
-}
-
 }  // namespace
 
 Advice Manoeuvre::step(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
-  const ArrivalParameters& arrival = parameters_.arrival;
-  const Error error = error_of(situation.X_WR, goal.X_WG);
-  if (state.phase == Phase::kArrived && !within(error, arrival.leave_position, arrival.leave_heading)) {
-    state = ManoeuvreState();
-  }
+  const PoseError error = error_of(situation.X_WR, goal.X_WG);
+  if (state.phase == Phase::kArrived && has_left(parameters_.arrival, error)) state = ManoeuvreState();
   count_room(situation, state);
   if (state.phase == Phase::kPlan) plan(situation, goal, state);
   switch (state.phase) {
@@ -67,7 +45,7 @@ Advice Manoeuvre::step(const Situation& situation, const Assignment& goal, Manoe
     case Phase::kGivenUp:
       break;
   }
-  return {stand(), DriveState::kHold, state.given_up};
+  return {stand(), DriveState::kHold, state.arrival.why_given_up()};
 }
 
 // All the way since the last step counts, also what it rolls on before it tries to turn again.
@@ -84,7 +62,7 @@ void Manoeuvre::count_room(const Situation& situation, ManoeuvreState& state) {
 }
 
 void Manoeuvre::interrupt(ManoeuvreState& state) {
-  state.standing_since = 0;
+  state.arrival.interrupt();
   state.passage = PassageState();
   if (state.phase != Phase::kArrived && state.phase != Phase::kGivenUp) state.phase = Phase::kPlan;
 }
@@ -97,7 +75,6 @@ void Manoeuvre::plan(const Situation& situation, const Assignment& goal, Manoeuv
   const bool docking = goal.clearance < legs.docking_below;
   const LegPlan plan = plan_leg(legs, situation.X_WR, goal.X_WG, docking, state.staged, behind, ahead);
   state.passage = PassageState();
-  state.standing_since = 0;
   if (plan.there) {
     state.phase = Phase::kTurnToHeading;
     return;
@@ -119,14 +96,14 @@ Advice Manoeuvre::turn(const Situation& situation, const Assignment& goal, doubl
 
 Advice Manoeuvre::make_room(const Situation& situation, const Assignment& goal, const GuardedTurn& blocked,
                             ManoeuvreState& state) const {
-  const Error error = error_of(situation.X_WR, goal.X_WG);
+  const PoseError error = error_of(situation.X_WR, goal.X_WG);
   if (state.phase == Phase::kTurnToHeading && coarsely_there(parameters_.arrival, error)) {
     state.phase = Phase::kSettle;
     return settle(situation, goal, state);
   }
   if (blocked.free.limited) {
     const Direction away = std::abs(blocked.free.bearing) < M_PI / 2.0 ? Direction::kBackward : Direction::kForward;
-    const double budget = parameters_.room_step_max * (1 + state.corrections) - state.room_made;
+    const double budget = parameters_.room_step_max * (1 + state.arrival.corrections()) - state.room_made;
     const double room = guard_.straight_room(situation, goal.clearance, away, 0.3);
     if (budget > 0.0 && room > parameters_.passage.free_above) {
       state.room_mark = RoomMark{situation.X_OR, situation.epoch};
@@ -173,16 +150,16 @@ Advice Manoeuvre::drive(const Situation& situation, const Assignment& goal, Mano
 bool Manoeuvre::ends_at_obstacle(const Situation& situation, const Assignment& goal,
                                  const ManoeuvreState& state) const {
   const ArrivalParameters& arrival = parameters_.arrival;
-  const Error error = error_of(situation.X_WR, goal.X_WG);
+  const PoseError error = error_of(situation.X_WR, goal.X_WG);
   if (coarsely_there(arrival, error)) return true;
   const PlanePose X_GR = goal.X_WG.inverse() * situation.X_WR;
   const bool aligned = std::abs(X_GR.y) <= parameters_.legs.beside_within && std::abs(error.heading) <= arrival.heading;
-  return !aligned && error.distance <= parameters_.obstacle_at_goal && state.corrections < arrival.corrections;
+  return !aligned && error.distance <= parameters_.obstacle_at_goal &&
+         state.arrival.corrections() < arrival.corrections;
 }
 
 void Manoeuvre::end_leg(ManoeuvreState& state) const {
   state.passage = PassageState();
-  state.standing_since = 0;
   if (state.leg.to_goal) {
     state.phase = Phase::kTurnToHeading;
   } else {
@@ -192,51 +169,24 @@ void Manoeuvre::end_leg(ManoeuvreState& state) const {
 }
 
 Advice Manoeuvre::settle(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
-  const ArrivalParameters& arrival = parameters_.arrival;
-  Advice advice{stand(), DriveState::kDriving, ""};
-  if (!standing(situation)) {
-    state.standing_since = 0;
-    return advice;
+  const PoseError error = error_of(situation.X_WR, goal.X_WG);
+  switch (state.arrival.judge(parameters_.arrival, situation, error)) {
+    case Arrival::Verdict::kWaits:
+      break;
+    case Arrival::Verdict::kArrived:
+      state.phase = Phase::kArrived;
+      return {stand(), DriveState::kArrived, ""};
+    case Arrival::Verdict::kCorrects:
+      state.phase = Phase::kPlan;
+      break;
+    case Arrival::Verdict::kWillDo:
+      state.phase = Phase::kArrived;
+      break;
+    case Arrival::Verdict::kGivesUp:
+      state.phase = Phase::kGivenUp;
+      break;
   }
-  if (state.standing_since == 0) state.standing_since = situation.utime;
-  const double stood = seconds_between(state.standing_since, situation.utime);
-  if (stood < arrival.settle_time) return advice;
-  const bool waited = stood >= arrival.settle_time_max;
-  const bool sharp = situation.position_sigma <= 0.5 * arrival.position;
-  const Error error = error_of(situation.X_WR, goal.X_WG);
-  if (within(error, arrival.position, arrival.heading)) {
-    if (!sharp && !waited) return advice;
-    state.phase = Phase::kArrived;
-    return {stand(), DriveState::kArrived, ""};
-  }
-  // What is only just outside may prove to be inside while the pose gets better.
-  if (!waited && (!sharp || coarsely_there(arrival, error))) return advice;
-  correct(situation, goal, state);
-  return advice;
-}
-
-void Manoeuvre::correct(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
-  const ArrivalParameters& arrival = parameters_.arrival;
-  const Error error = error_of(situation.X_WR, goal.X_WG);
-  state.standing_since = 0;
-  if (state.corrections < arrival.corrections) {
-    ++state.corrections;
-    state.phase = Phase::kPlan;
-  } else if (coarsely_there(arrival, error)) {
-    state.phase = Phase::kArrived;
-  } else {
-    char text[160];
-    std::snprintf(text, sizeof text, "gave up after %d corrections: %.3f m and %.1f degrees off; allowed %.3f m, %.1f",
-                  state.corrections, error.distance, error.heading * 180.0 / M_PI, arrival.coarse_position,
-                  arrival.coarse_heading * 180.0 / M_PI);
-    state.given_up = text;
-    state.phase = Phase::kGivenUp;
-  }
-}
-
-bool Manoeuvre::standing(const Situation& situation) const {
-  return std::abs(situation.measured.speed) <= parameters_.arrival.standing_speed &&
-         std::abs(situation.measured.turn_rate) <= parameters_.arrival.standing_turn_rate;
+  return {stand(), DriveState::kDriving, ""};
 }
 
 }  // namespace markservo::base_navigator
