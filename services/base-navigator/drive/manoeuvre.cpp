@@ -12,20 +12,19 @@ using geometry::PlanePose;
 
 constexpr double kLegEnd_m = 0.004;      // before a leg's end: what is left is less than the pose knows
 constexpr double kLooseLegEnd_m = 0.03;  // where another leg follows
-constexpr double kRolling_m_s = 0.03;    // still rolling the other way, or rolling while it should turn on the spot
 
 }  // namespace
 
 Advice Manoeuvre::step(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
   const PoseError error = error_of(situation.X_WR, goal.X_WG);
   if (state.phase == Phase::kArrived && has_left(parameters_.arrival, error)) state = ManoeuvreState();
-  count_room(situation, state);
+  state.room.count(situation, state.phase == Phase::kTurnToCourse || state.phase == Phase::kTurnToHeading);
   if (state.phase == Phase::kPlan) plan(situation, goal, state);
   switch (state.phase) {
     case Phase::kTurnToCourse: {
       const PlanePose X_VR = state.leg.X_WV.inverse() * situation.X_WR;
       const Course course = steer(parameters_.course, X_VR, state.leg.direction);
-      if (std::abs(course.heading_error) > parameters_.turned) {
+      if (std::abs(course.heading_error) > parameters_.turn.done) {
         return turn(situation, goal, course.heading_error, state);
       }
       state.phase = Phase::kDrive;
@@ -34,7 +33,7 @@ Advice Manoeuvre::step(const Situation& situation, const Assignment& goal, Manoe
     case Phase::kDrive:
       return drive(situation, goal, state);
     case Phase::kTurnToHeading:
-      if (std::abs(error.heading) > parameters_.turned) return turn(situation, goal, error.heading, state);
+      if (std::abs(error.heading) > parameters_.turn.done) return turn(situation, goal, error.heading, state);
       state.phase = Phase::kSettle;
       return settle(situation, goal, state);
     case Phase::kSettle:
@@ -46,19 +45,6 @@ Advice Manoeuvre::step(const Situation& situation, const Assignment& goal, Manoe
       break;
   }
   return {stand(), DriveState::kHold, state.arrival.why_given_up()};
-}
-
-// All the way since the last step counts, also what it rolls on before it tries to turn again.
-void Manoeuvre::count_room(const Situation& situation, ManoeuvreState& state) {
-  if (!state.room_mark) return;
-  if (state.phase != Phase::kTurnToCourse && state.phase != Phase::kTurnToHeading) {
-    state.room_mark.reset();
-    return;
-  }
-  if (state.room_mark->epoch == situation.epoch) {
-    state.room_made += (state.room_mark->X_OR.inverse() * situation.X_OR).distance();
-  }
-  state.room_mark = RoomMark{situation.X_OR, situation.epoch};
 }
 
 void Manoeuvre::interrupt(ManoeuvreState& state) {
@@ -82,36 +68,20 @@ void Manoeuvre::plan(const Situation& situation, const Assignment& goal, Manoeuv
   state.leg = plan.leg;
   const PlanePose X_VR = state.leg.X_WV.inverse() * situation.X_WR;
   const Course course = steer(parameters_.course, X_VR, state.leg.direction);
-  state.phase = std::abs(course.heading_error) > parameters_.turn_first ? Phase::kTurnToCourse : Phase::kDrive;
+  state.phase = std::abs(course.heading_error) > parameters_.turn.first ? Phase::kTurnToCourse : Phase::kDrive;
 }
 
 Advice Manoeuvre::turn(const Situation& situation, const Assignment& goal, double angle, ManoeuvreState& state) const {
-  if (std::abs(situation.measured.speed) > kRolling_m_s) return {stand(), DriveState::kDriving, ""};
-  const MotionParameters& motion = parameters_.motion;
-  const double rate = std::clamp(stopping_speed(std::abs(angle), motion.turn_acceleration, parameters_.goal_reaction),
-                                 parameters_.turn_creep, motion.turn_rate);
-  const GuardedTurn turn = guard_.turn(situation, goal.clearance, angle, rate, state.passage);
-  return turn.passage.blocked ? make_room(situation, goal, turn, state) : advice_of(turn.passage);
-}
-
-Advice Manoeuvre::make_room(const Situation& situation, const Assignment& goal, const GuardedTurn& blocked,
-                            ManoeuvreState& state) const {
+  const GuardedTurn turn = turn_on_spot(guard_, situation, goal.clearance, angle, state.passage);
+  if (!turn.passage.blocked) return advice_of(turn.passage);
   const PoseError error = error_of(situation.X_WR, goal.X_WG);
   if (state.phase == Phase::kTurnToHeading && coarsely_there(parameters_.arrival, error)) {
     state.phase = Phase::kSettle;
     return settle(situation, goal, state);
   }
-  if (blocked.free.limited) {
-    const Direction away = std::abs(blocked.free.bearing) < M_PI / 2.0 ? Direction::kBackward : Direction::kForward;
-    const double budget = parameters_.room_step_max * (1 + state.arrival.corrections()) - state.room_made;
-    const double room = guard_.straight_room(situation, goal.clearance, away, 0.3);
-    if (budget > 0.0 && room > parameters_.passage.free_above) {
-      state.room_mark = RoomMark{situation.X_OR, situation.epoch};
-      PassageState passage;
-      return advice_of(guard_.straight(situation, goal.clearance, away, 3.0 * parameters_.creep, passage));
-    }
-  }
-  return advice_of(blocked.passage);
+  const auto room =
+      state.room.make(parameters_.turn, guard_, situation, goal.clearance, turn, state.arrival.corrections());
+  return room ? *room : advice_of(turn.passage);
 }
 
 Advice Manoeuvre::drive(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
@@ -127,12 +97,12 @@ Advice Manoeuvre::drive(const Situation& situation, const Assignment& goal, Mano
     state.phase = Phase::kPlan;
     return {stand(), DriveState::kDriving, ""};
   }
-  if (situation.measured.speed * sign_of(direction) < -kRolling_m_s) return {stand(), DriveState::kDriving, ""};
+  if (situation.measured.speed * sign_of(direction) < -motion.rolling) return {stand(), DriveState::kDriving, ""};
 
   double speed = std::min(goal.speed, motion.speed);
-  speed = std::min(speed, stopping_speed(course.remaining, motion.acceleration, parameters_.goal_reaction));
+  speed = std::min(speed, stopping_speed(course.remaining, motion.acceleration, motion.goal_reaction));
   speed = std::min(speed, motion.turn_rate / std::max(std::abs(course.curvature), 1e-3));
-  speed = std::max(speed, std::min(parameters_.creep, goal.speed));
+  speed = std::max(speed, std::min(motion.creep, goal.speed));
   Motion desired;
   desired.speed = sign_of(direction) * speed;
   desired.curvature = course.curvature;

@@ -43,6 +43,9 @@ class PathGuard {
   // On the spot by `angle` (rad, counter-clockwise) at `rate` (rad/s), with the passage's turn_clearance at most.
   GuardedTurn turn(const Situation& situation, double clearance, double angle, double rate, PassageState& state) const;
 
+  const MotionParameters& motion() const { return motion_; }
+  const PassageParameters& passage() const { return passage_; }
+
  private:
   Passage along(const std::vector<PathPose>& path, const Situation& situation, double clearance, const Motion& desired,
                 PassageState& state) const;

@@ -14,6 +14,10 @@ struct MotionParameters {
   double braking = 0.8;            // m/s^2, for what stands in the way: robot.yaml's acceleration_max
   double turn_braking = 6.28;      // rad/s^2, likewise
   double command_lead = 0.3;       // s of acceleration by which a command may be ahead of the measured speed
+  double goal_reaction = 0.25;     // s, for stopping at a pose: above twice the base's delay, else it would swing
+  double creep = 0.03;             // m/s, on the last centimetre
+  double turn_creep = 0.06;        // rad/s, likewise
+  double rolling = 0.03;           // m/s; a base so fast has not yet stopped for a turn, or to go the other way
 };
 
 // What one step asks for.
