@@ -1,19 +1,10 @@
 #include "services/base-navigator/drive/manoeuvre.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "services/base-navigator/kinematics/speed_profile.hpp"
-
 namespace markservo::base_navigator {
-namespace {
 
 using geometry::PlanePose;
-
-constexpr double kLegEnd_m = 0.004;      // before a leg's end: what is left is less than the pose knows
-constexpr double kLooseLegEnd_m = 0.03;  // where another leg follows
-
-}  // namespace
 
 Advice Manoeuvre::step(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
   const PoseError error = error_of(situation.X_WR, goal.X_WG);
@@ -22,11 +13,8 @@ Advice Manoeuvre::step(const Situation& situation, const Assignment& goal, Manoe
   if (state.phase == Phase::kPlan) plan(situation, goal, state);
   switch (state.phase) {
     case Phase::kTurnToCourse: {
-      const PlanePose X_VR = state.leg.X_WV.inverse() * situation.X_WR;
-      const Course course = steer(parameters_.course, X_VR, state.leg.direction);
-      if (std::abs(course.heading_error) > parameters_.turn.done) {
-        return turn(situation, goal, course.heading_error, state);
-      }
+      const double off_course = course_of(parameters_.drive, state.leg, situation).heading_error;
+      if (std::abs(off_course) > parameters_.turn.done) return turn(situation, goal, off_course, state);
       state.phase = Phase::kDrive;
       return drive(situation, goal, state);
     }
@@ -66,9 +54,8 @@ void Manoeuvre::plan(const Situation& situation, const Assignment& goal, Manoeuv
     return;
   }
   state.leg = plan.leg;
-  const PlanePose X_VR = state.leg.X_WV.inverse() * situation.X_WR;
-  const Course course = steer(parameters_.course, X_VR, state.leg.direction);
-  state.phase = std::abs(course.heading_error) > parameters_.turn.first ? Phase::kTurnToCourse : Phase::kDrive;
+  const double off_course = course_of(parameters_.drive, state.leg, situation).heading_error;
+  state.phase = std::abs(off_course) > parameters_.turn.first ? Phase::kTurnToCourse : Phase::kDrive;
 }
 
 Advice Manoeuvre::turn(const Situation& situation, const Assignment& goal, double angle, ManoeuvreState& state) const {
@@ -85,35 +72,23 @@ Advice Manoeuvre::turn(const Situation& situation, const Assignment& goal, doubl
 }
 
 Advice Manoeuvre::drive(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const {
-  const MotionParameters& motion = parameters_.motion;
-  const Direction direction = state.leg.direction;
-  const PlanePose X_VR = state.leg.X_WV.inverse() * situation.X_WR;
-  const Course course = steer(parameters_.course, X_VR, direction);
-  if (course.remaining <= (state.leg.to_goal ? kLegEnd_m : kLooseLegEnd_m)) {
-    end_leg(state);
-    return {stand(), DriveState::kDriving, ""};
+  const LegStep step = drive_leg(parameters_.drive, guard_, situation, goal, state.leg, state.passage);
+  switch (step.progress) {
+    case LegProgress::kUnderWay:
+      break;
+    case LegProgress::kBlocked:
+      if (!ends_at_obstacle(situation, goal, state)) return advice_of(step.passage);
+      state.leg.to_goal = true;
+      end_leg(state);
+      break;
+    case LegProgress::kEnded:
+      end_leg(state);
+      break;
+    case LegProgress::kOffCourse:
+      state.phase = Phase::kPlan;
+      break;
   }
-  if (std::abs(course.heading_error) > parameters_.off_course) {
-    state.phase = Phase::kPlan;
-    return {stand(), DriveState::kDriving, ""};
-  }
-  if (situation.measured.speed * sign_of(direction) < -motion.rolling) return {stand(), DriveState::kDriving, ""};
-
-  double speed = std::min(goal.speed, motion.speed);
-  speed = std::min(speed, stopping_speed(course.remaining, motion.acceleration, motion.goal_reaction));
-  speed = std::min(speed, motion.turn_rate / std::max(std::abs(course.curvature), 1e-3));
-  speed = std::max(speed, std::min(motion.creep, goal.speed));
-  Motion desired;
-  desired.speed = sign_of(direction) * speed;
-  desired.curvature = course.curvature;
-  const Passage passage =
-      guard_.course(parameters_.course, situation, goal.clearance, X_VR, direction, desired, state.passage);
-  if (passage.blocked && ends_at_obstacle(situation, goal, state)) {
-    state.leg.to_goal = true;
-    end_leg(state);
-    return {passage.motion, DriveState::kDriving, ""};
-  }
-  return advice_of(passage);
+  return {step.passage.motion, DriveState::kDriving, ""};
 }
 
 // Blocked at the goal itself: near enough, or the trouble is how the robot stands, and a correction mends that.
@@ -128,7 +103,7 @@ bool Manoeuvre::ends_at_obstacle(const Situation& situation, const Assignment& g
          state.arrival.corrections() < arrival.corrections;
 }
 
-void Manoeuvre::end_leg(ManoeuvreState& state) const {
+void Manoeuvre::end_leg(ManoeuvreState& state) {
   state.passage = PassageState();
   if (state.leg.to_goal) {
     state.phase = Phase::kTurnToHeading;

@@ -3,11 +3,11 @@
 // From a known pose to a goal pose: turn towards it, drive, turn to its heading, stand, look again, correct.
 
 #include "services/base-navigator/drive/arrival.hpp"
+#include "services/base-navigator/drive/leg_drive.hpp"
 #include "services/base-navigator/drive/leg_plan.hpp"
 #include "services/base-navigator/drive/path_guard.hpp"
 #include "services/base-navigator/drive/situation.hpp"
 #include "services/base-navigator/drive/turning.hpp"
-#include "services/base-navigator/kinematics/course.hpp"
 #include "services/base-navigator/kinematics/motion.hpp"
 #include "services/base-navigator/obstacles/passage.hpp"
 
@@ -15,12 +15,11 @@ namespace markservo::base_navigator {
 
 struct ManoeuvreParameters {
   ArrivalParameters arrival;
-  CourseParameters course;
   LegParameters legs;
+  LegDriveParameters drive;
   MotionParameters motion;
   PassageParameters passage;
   TurnParameters turn;
-  double off_course = 1.2;         // rad off the course while driving: the pose has jumped, plan anew
   double obstacle_at_goal = 0.08;  // m; so near the goal an obstacle may be the goal's own shelf, met askew
 };
 
@@ -49,7 +48,7 @@ class Manoeuvre {
   Advice turn(const Situation& situation, const Assignment& goal, double angle, ManoeuvreState& state) const;
   Advice drive(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
   Advice settle(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
-  void end_leg(ManoeuvreState& state) const;
+  static void end_leg(ManoeuvreState& state);
   bool ends_at_obstacle(const Situation& situation, const Assignment& goal, const ManoeuvreState& state) const;
 
   PathGuard guard_;
