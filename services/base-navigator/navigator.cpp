@@ -15,9 +15,6 @@ using geometry::PlanePose;
 constexpr double kNominalStep_s = 0.02;
 constexpr double kShortestStep_s = 0.005;
 constexpr double kLongestStep_s = 0.1;  // a longer gap must not become a bigger step
-constexpr double kExploreRoom_m = 0.1;
-constexpr double kMounting_m = 0.05;  // a sonar may be mounted so much farther out than robot.yaml's ring
-constexpr double kUnlike = 2.0;       // times robot.yaml's value, or that part of it: another kind of sonar
 
 const robot::BaseDescription& base_of(const robot::RobotDescription& robot) {
   if (!robot.base) throw std::invalid_argument("base-navigator: robot.yaml has no base");
@@ -43,15 +40,6 @@ NavigatorParameters within_limits(NavigatorParameters parameters, const robot::B
   return parameters;
 }
 
-// Empty unless a scan's value differs so much from robot.yaml's that its echoes mean something else.
-std::string why_unlike(const char* what, double value, double configured, const char* unit) {
-  if (value >= configured / kUnlike && value <= configured * kUnlike) return "";
-  char text[160];
-  std::snprintf(text, sizeof text, "%s is %.3f %s; allowed: %.3f to %.3f (robot.yaml: %.3f)", what, value, unit,
-                configured / kUnlike, configured * kUnlike, configured);
-  return text;
-}
-
 // Empty unless `utime` is too far from now.
 std::string why_old(const char* what, std::int64_t utime, std::int64_t now, double allowed) {
   return motion::why_not_fresh({what, "WHEEL_ODOMETRY", allowed, allowed}, utime, now);
@@ -61,7 +49,7 @@ std::string why_old(const char* what, std::int64_t utime, std::int64_t now, doub
 
 Navigator::Navigator(const robot::RobotDescription& robot, const NavigatorParameters& parameters)
     : parameters_(within_limits(parameters, base_of(robot))),
-      sonars_(*robot.sonars),
+      scan_check_(*robot.sonars),
       guard_(outline_of(base_of(robot)), parameters_.manoeuvre.motion, parameters_.manoeuvre.passage),
       manoeuvre_(guard_, parameters_.manoeuvre) {}
 
@@ -93,29 +81,9 @@ void Navigator::observe(const PoseSample& sample, NavigatorState& state) const {
 }
 
 std::string Navigator::observe(const SonarScanSample& scan, NavigatorState& state) const {
-  std::string problem = why_scan_is_refused(scan);
+  std::string problem = scan_check_.why_refused(scan);
   if (problem.empty()) state.sonars.add(parameters_.sonars, scan, state.track);
   return problem;
-}
-
-std::string Navigator::why_scan_is_refused(const SonarScanSample& scan) const {
-  if (static_cast<int>(scan.readings.size()) != sonars_.number) {
-    return "a scan of " + std::to_string(scan.readings.size()) + " sonars; allowed: " + std::to_string(sonars_.number) +
-           " as in robot.yaml";
-  }
-  if (auto why = why_unlike("min_range", scan.min_range, sonars_.min_range, "m"); !why.empty()) return why;
-  if (auto why = why_unlike("max_range", scan.max_range, sonars_.max_range, "m"); !why.empty()) return why;
-  if (auto why = why_unlike("beam_width", scan.beam_width, sonars_.beam_width, "rad"); !why.empty()) return why;
-  for (std::size_t i = 0; i < scan.readings.size(); ++i) {
-    const double off = scan.readings[i].X_RS.distance();
-    if (off <= sonars_.ring_radius + kMounting_m) continue;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "sonar %zu is %.2f m from the robot's origin; allowed: %.2f m (ring_radius + %.2f)", i, off,
-                  sonars_.ring_radius + kMounting_m, kMounting_m);
-    return text;
-  }
-  return "";
 }
 
 motion::GoalHeard Navigator::observe(const Goal& goal, NavigatorState& state) const {
@@ -128,7 +96,7 @@ motion::GoalHeard Navigator::observe(const Goal& goal, NavigatorState& state) co
   state.refusal = why_goal_is_refused(goal, state);
   state.dropped.clear();
   state.manoeuvre = ManoeuvreState();
-  state.explore.failed = false;
+  state.exploration.permit();
   state.X_WG.reset();
   state.X_OG.reset();
   if (goal.kind == GoalKind::kDrive && goal.frame == GoalFrame::kWorld) state.X_WG = goal.pose;
@@ -172,7 +140,7 @@ Navigator::Decision Navigator::decide(NavigatorState& state, Status& status) con
   const auto interrupted = [&state](const Motion& motion, DriveState drive_state, const std::string& reason,
                                     bool at_once) {
     Manoeuvre::interrupt(state.manoeuvre);
-    state.explore.active = false;
+    state.exploration.interrupt();
     return Decision{{motion, drive_state, reason}, at_once};
   };
   const std::int64_t now = state.track.newest_utime();
@@ -206,7 +174,10 @@ Navigator::Decision Navigator::decide(NavigatorState& state, Status& status) con
   const double clearance = goal->clearance > 0.0 ? goal->clearance : passage.clearance;
   // A turn on the spot keeps no more than its own clearance, so faces may hide no more than that.
   situation.points = state.sonars.points(parameters_.sonars, state.track, std::min(clearance, passage.turn_clearance));
-  if (const auto advice = explore(situation, clearance, state)) return {*advice, false};
+  const double heading_sigma = parameters_.trust.heading_sigma;
+  if (const auto advice = state.exploration.step(parameters_.explore, heading_sigma, guard_, situation, clearance)) {
+    return {*advice, false};
+  }
 
   if (!state.X_WG && !place_goal(state)) return interrupted(brake(), DriveState::kHold, state.refusal, false);
   const PlanePose X_RG = situation.X_WR.inverse() * *state.X_WG;
@@ -271,7 +242,7 @@ std::string Navigator::why_lost(const NavigatorState& state) const {
                   trust.heading_sigma);
     return text;
   }
-  if (!heading_known && state.explore.failed) {
+  if (!heading_known && state.exploration.failed()) {
     std::snprintf(text, sizeof text, "the heading did not become known within %.2f m", explore.distance);
     return text;
   }
@@ -292,37 +263,6 @@ bool Navigator::place_goal(NavigatorState& state) const {
   }
   state.X_WG = pose_now(state) * (state.track.newest().inverse() * *state.X_OG);
   return true;
-}
-
-std::optional<Advice> Navigator::explore(const Situation& situation, double clearance, NavigatorState& state) const {
-  const ExploreParameters& parameters = parameters_.explore;
-  ExploreState& explore = state.explore;
-  const double known = explore.active ? parameters.heading_known : parameters_.trust.heading_sigma;
-  if (situation.heading_sigma <= known) {
-    explore.active = false;
-    explore.failed = false;
-    return std::nullopt;
-  }
-  if (!explore.active || explore.epoch != state.track.epoch()) {
-    explore.active = true;
-    explore.epoch = state.track.epoch();
-    explore.X_OR_start = state.track.newest();
-    explore.passage = PassageState();
-    const double ahead = guard_.straight_room(situation, clearance, Direction::kForward, parameters.distance);
-    const double behind = guard_.straight_room(situation, clearance, Direction::kBackward, parameters.distance);
-    const bool back = ahead < kExploreRoom_m && behind > ahead;
-    explore.direction = back ? Direction::kBackward : Direction::kForward;
-  }
-  const double gone = (explore.X_OR_start.inverse() * state.track.newest()).distance();
-  if (gone >= parameters.distance) {
-    explore.failed = true;
-    explore.active = false;
-    return Advice{brake(), DriveState::kLost, "the heading did not become known"};
-  }
-  Advice advice =
-      advice_of(guard_.straight(situation, clearance, explore.direction, parameters.speed, explore.passage));
-  if (advice.reason.empty()) advice.reason = "learning the heading";
-  return advice;
 }
 
 }  // namespace markservo::base_navigator

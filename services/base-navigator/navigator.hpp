@@ -8,10 +8,12 @@
 
 #include "common/motion/goal_inbox.hpp"
 #include "common/robot/robot_description.hpp"
+#include "services/base-navigator/drive/exploration.hpp"
 #include "services/base-navigator/drive/manoeuvre.hpp"
 #include "services/base-navigator/drive/path_guard.hpp"
 #include "services/base-navigator/kinematics/odometry_track.hpp"
 #include "services/base-navigator/navigator_types.hpp"
+#include "services/base-navigator/obstacles/scan_check.hpp"
 #include "services/base-navigator/obstacles/sonar_memory.hpp"
 
 namespace markservo::base_navigator {
@@ -28,30 +30,12 @@ struct TrustParameters {
   double restart_guard = 0.6;
 };
 
-// Tags alone do not tell a robot that stands which way it looks: it creeps straight ahead until they do.
-struct ExploreParameters {
-  bool enabled = true;
-  double speed = 0.1;            // m/s
-  double distance = 0.4;         // m at most: four tags
-  double heading_known = 0.15;   // rad, the sigma at which it ends
-  double position_sigma = 0.20;  // m; without a heading the position is known less well while it moves
-};
-
 struct NavigatorParameters {
   ManoeuvreParameters manoeuvre;
   TrustParameters trust;
   ExploreParameters explore;
   OdometryParameters odometry;
   SonarMemoryParameters sonars;
-};
-
-struct ExploreState {
-  bool active = false;
-  bool failed = false;
-  int epoch = 0;
-  geometry::PlanePose X_OR_start;
-  Direction direction = Direction::kForward;
-  PassageState passage;
 };
 
 struct NavigatorState {
@@ -69,7 +53,7 @@ struct NavigatorState {
   std::string stop_reason;
   std::string blocked;  // why nothing may move though no stop is latched; empty when nothing speaks against it
   ManoeuvreState manoeuvre;
-  ExploreState explore;
+  Exploration exploration;
   std::int64_t first_utime = 0;  // us, of the first odometry; 0 before
   std::string odometry_problem;  // of the newest one
   Command command;               // the last one
@@ -104,16 +88,14 @@ class Navigator {
   };
 
   Decision decide(NavigatorState& state, Status& status) const;
-  std::string why_scan_is_refused(const SonarScanSample& scan) const;
   std::string why_goal_is_refused(const Goal& goal, const NavigatorState& state) const;
   std::string why_stale(const NavigatorState& state) const;
   std::string why_lost(const NavigatorState& state) const;
   geometry::PlanePose pose_now(const NavigatorState& state) const;
   bool place_goal(NavigatorState& state) const;
-  std::optional<Advice> explore(const Situation& situation, double clearance, NavigatorState& state) const;
 
   NavigatorParameters parameters_;
-  robot::SonarRingDescription sonars_;
+  ScanCheck scan_check_;
   PathGuard guard_;
   Manoeuvre manoeuvre_;
 };
