@@ -54,22 +54,19 @@ Navigator::Navigator(const robot::RobotDescription& robot, const NavigatorParame
       manoeuvre_(guard_, parameters_.manoeuvre) {}
 
 std::string Navigator::observe(const OdometrySample& sample, NavigatorState& state) const {
-  if (state.first_utime == 0 || sample.utime < state.first_utime) state.first_utime = sample.utime;
   const bool first = state.track.empty();
-  state.odometry_problem = state.track.add(parameters_.odometry, sample);
+  std::string problem = state.track.add(parameters_.odometry, sample);
   // A goal that came before any time did is judged now, so that none waits for its hour.
   if (first && !state.track.empty() &&
       state.goals.end_unless_fresh(state.track.newest_utime(), parameters_.trust.goal_age)) {
     state.dropped = "the goal heard before the first WHEEL_ODOMETRY is of another time: it was dropped";
     state.goal.reset();
   }
-  return state.odometry_problem;
+  return problem;
 }
 
 void Navigator::begin_anew(const std::string& why, NavigatorState& state) const {
   state.track.forget();
-  state.first_utime = 0;
-  state.odometry_problem.clear();
   state.pose.reset();
   if (state.goal) state.dropped = why + ": the goal was dropped";
   state.goals.end();
@@ -204,7 +201,7 @@ std::string Navigator::why_goal_is_refused(const Goal& goal, const NavigatorStat
            " m away; allowed: " + std::to_string(parameters_.trust.goal_distance) + " m";
   }
   // The run before may have driven a part of it; driving it once more would end elsewhere.
-  const double age = seconds_between(state.first_utime, state.track.newest_utime());
+  const double age = seconds_between(state.track.first_utime(), state.track.newest_utime());
   if (state.track.empty() || age < std::max(parameters_.trust.restart_guard, parameters_.trust.goal_age)) {
     return "a goal relative to the robot was given before the navigator had started; allowed: a new goal_id";
   }
@@ -214,7 +211,7 @@ std::string Navigator::why_goal_is_refused(const Goal& goal, const NavigatorStat
 std::string Navigator::why_stale(const NavigatorState& state) const {
   const std::int64_t now = state.track.newest_utime();
   if (state.track.empty()) return "no WHEEL_ODOMETRY yet";
-  if (!state.odometry_problem.empty()) return "WHEEL_ODOMETRY: " + state.odometry_problem;
+  if (!state.track.problem().empty()) return "WHEEL_ODOMETRY: " + state.track.problem();
   if (!state.pose) return "no ROBOT_POSE yet";
   if (auto why = why_old("ROBOT_POSE", state.pose->utime, now, parameters_.trust.pose_age); !why.empty()) return why;
   if (!state.track.at(state.pose->utime, parameters_.trust.pose_age)) return "ROBOT_POSE is of before WHEEL_ODOMETRY";

@@ -54,9 +54,7 @@ struct NavigatorState {
   std::string blocked;  // why nothing may move though no stop is latched; empty when nothing speaks against it
   ManoeuvreState manoeuvre;
   Exploration exploration;
-  std::int64_t first_utime = 0;  // us, of the first odometry; 0 before
-  std::string odometry_problem;  // of the newest one
-  Command command;               // the last one
+  Command command;  // the last one
 };
 
 // observe() what comes in, then step() once for each WHEEL_ODOMETRY; now is the newest odometry's utime. What is wrong

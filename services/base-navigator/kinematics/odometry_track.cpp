@@ -9,6 +9,18 @@ namespace markservo::base_navigator {
 using geometry::PlanePose;
 
 std::string OdometryTrack::add(const OdometryParameters& parameters, const OdometrySample& sample) {
+  if (first_utime_ == 0 || sample.utime < first_utime_) first_utime_ = sample.utime;
+  problem_ = take(parameters, sample);
+  return problem_;
+}
+
+void OdometryTrack::forget() {
+  history_.clear();
+  first_utime_ = 0;
+  problem_.clear();
+}
+
+std::string OdometryTrack::take(const OdometryParameters& parameters, const OdometrySample& sample) {
   char text[160];
   if (history_.empty()) {
     begin(sample);

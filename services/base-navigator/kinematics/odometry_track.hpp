@@ -25,9 +25,13 @@ class OdometryTrack {
   // after a jump of the counters or a gap begins a new track (see epoch()).
   std::string add(const OdometryParameters& parameters, const OdometrySample& sample);
   // The next sample begins a new track: it is another base's, or of another time.
-  void forget() { history_.clear(); }
+  void forget();
 
   bool empty() const { return history_.empty(); }
+  // What was wrong with the newest sample, taken or not; empty when nothing was.
+  const std::string& problem() const { return problem_; }
+  // us, the earliest that any sample told since the beginning; 0 before.
+  std::int64_t first_utime() const { return first_utime_; }
   std::int64_t newest_utime() const { return history_.empty() ? 0 : history_.back().utime; }
   // s, from the sample before to the newest one; 0 at a track's beginning.
   double step() const;
@@ -47,6 +51,7 @@ class OdometryTrack {
     geometry::PlanePose X_OR;
   };
 
+  std::string take(const OdometryParameters& parameters, const OdometrySample& sample);
   void begin(const OdometrySample& sample);
   void measure_speed(const OdometryParameters& parameters);
 
@@ -54,6 +59,8 @@ class OdometryTrack {
   int epoch_ = 0;
   double speed_ = 0.0;
   double turn_rate_ = 0.0;
+  std::int64_t first_utime_ = 0;
+  std::string problem_;
 };
 
 }  // namespace markservo::base_navigator
