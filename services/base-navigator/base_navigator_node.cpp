@@ -114,9 +114,9 @@ void BaseNavigatorNode::on_stop(const StopState& stop) {
 
 void BaseNavigatorNode::on_goal(const BaseGoal& goal) {
   const motion::GoalHeard heard = navigator_->observe(goal_of(goal), state_);
-  if (heard == motion::GoalHeard::kContested) base_->raise(state_.goals.two());
+  if (heard == motion::GoalHeard::kContested) base_->raise(state_.goal.inbox().two());
   after_input();
-  if (heard == motion::GoalHeard::kNew) drop(state_.refusal);
+  if (heard == motion::GoalHeard::kNew) drop(state_.goal.refusal());
 }
 
 void BaseNavigatorNode::begin_anew(const std::string& why) {
@@ -158,7 +158,7 @@ void BaseNavigatorNode::on_pose(const RobotPose& pose) {
 
 // What two that claim to be one lead to.
 void BaseNavigatorNode::after_input() {
-  state_.blocked = base_->blocked();
+  state_.enable.observe_conflict(base_->blocked());
   if (const auto wish = base_->stop_due()) {
     StopRequest stop = messages::stop_request(*wish, base_->now(), bus_->session(), "base-navigator");
     stops_->publish(stop);
@@ -182,7 +182,7 @@ void BaseNavigatorNode::watch_for_odometry() {
 }
 
 void BaseNavigatorNode::tell(DriveState state, const std::string& reason) {
-  const std::string others = motion::notice(*base_, state_.goals, parameters_.trust.goal_age);
+  const std::string others = motion::notice(*base_, state_.goal.inbox(), parameters_.trust.goal_age);
   if (told_ == state && told_notice_ == others) return;  // reasons may hold numbers that change with every answer
   told_ = state;
   told_notice_ = others;
