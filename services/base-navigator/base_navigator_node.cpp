@@ -122,7 +122,6 @@ void BaseNavigatorNode::on_goal(const BaseGoal& goal) {
 void BaseNavigatorNode::begin_anew(const std::string& why) {
   navigator_->begin_anew(why, state_);
   pacing_ = AnswerPacing();
-  pose_.reset();
 }
 
 motion::Word BaseNavigatorNode::hear_report(const char* channel, const motion::Stamp& stamp) {
@@ -141,9 +140,9 @@ void BaseNavigatorNode::on_scan(const SonarScan& scan) {
 void BaseNavigatorNode::on_odometry(const WheelOdometry& odometry) {
   hear_report(channels::kWheelOdometry.name, stamp_of(odometry));
   heard_odometry_ = std::chrono::steady_clock::now();
-  if (const auto overdue = pacing_.next(identity(odometry))) answer(*overdue);
+  if (const auto overdue = pacing_.observe_odometry(identity(odometry))) answer(*overdue);
   const std::string problem = navigator_->observe(odometry_sample(odometry), state_);
-  if (const auto due = pacing_.due(pose_, kLongestWait_s)) answer(*due);
+  if (const auto due = pacing_.due(kLongestWait_s)) answer(*due);
   drop(problem);
 }
 
@@ -151,9 +150,9 @@ void BaseNavigatorNode::on_pose(const RobotPose& pose) {
   const motion::Heard heard = base_->hear_stream(channels::kRobotPose.name, stamp_of(pose));
   after_input();
   drop(motion::why_dropped(heard));
-  pose_ = identity(pose);
+  pacing_.observe_pose(identity(pose));
   navigator_->observe(pose_sample(pose), state_);
-  if (const auto due = pacing_.due(pose_, kLongestWait_s)) answer(*due);
+  if (const auto due = pacing_.due(kLongestWait_s)) answer(*due);
 }
 
 // What two that claim to be one lead to.

@@ -48,7 +48,6 @@ class BaseNavigatorNode : public bus::Service {
   std::unique_ptr<Navigator> navigator_;
   NavigatorState state_;
   AnswerPacing pacing_;
-  std::optional<OdometryId> pose_;
   bus::Bus* bus_ = nullptr;
   std::optional<motion::MoverWatch> base_;
   std::optional<bus::Publisher<StopRequest>> stops_;
