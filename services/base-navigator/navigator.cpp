@@ -22,7 +22,7 @@ Outline outline_of(const robot::BaseDescription& base) {
 }
 
 NavigatorParameters within_limits(NavigatorParameters parameters, const robot::BaseDescription& base) {
-  MotionParameters& motion = parameters.manoeuvre.motion;
+  MotionParameters& motion = parameters.motion;
   motion.speed = std::min(motion.speed, base.speed_max);
   motion.turn_rate = std::min(motion.turn_rate, base.turn_rate_max);
   motion.acceleration = std::min(motion.acceleration, base.acceleration_max);
@@ -40,13 +40,13 @@ NavigatorParameters within_limits(NavigatorParameters parameters, const robot::B
 Navigator::Navigator(const robot::RobotDescription& robot, const NavigatorParameters& parameters)
     : parameters_(within_limits(parameters, base_of(robot))),
       scan_check_(*robot.sonars),
-      guard_(outline_of(base_of(robot)), parameters_.manoeuvre.motion, parameters_.manoeuvre.passage),
+      guard_(outline_of(base_of(robot)), parameters_.motion, parameters_.passage),
       manoeuvre_(guard_, parameters_.manoeuvre) {}
 
 std::string Navigator::observe(const OdometrySample& sample, NavigatorState& state) const {
   const bool first = state.track.empty();
   std::string problem = state.track.add(parameters_.odometry, sample);
-  if (first && !state.track.empty()) state.goal.observe_first(parameters_.trust, state.track);
+  if (first && !state.track.empty()) state.goal.end_unless_fresh(parameters_.trust, state.track);
   return problem;
 }
 
@@ -128,7 +128,7 @@ std::optional<Navigator::Decision> Navigator::pause_due(const NavigatorState& st
 Navigator::Decision Navigator::drive(NavigatorState& state, Status& status) const {
   const TrustParameters& trust = parameters_.trust;
   const Goal& goal = *state.goal.goal();
-  const double clearance = goal.clearance > 0.0 ? goal.clearance : parameters_.manoeuvre.passage.clearance;
+  const double clearance = goal.clearance > 0.0 ? goal.clearance : parameters_.passage.clearance;
   const Situation now = situation(state, clearance);
   if (const auto advice = state.exploration.step(parameters_.explore, trust.heading_sigma, guard_, now, clearance)) {
     return {*advice};
@@ -143,7 +143,7 @@ Navigator::Decision Navigator::drive(NavigatorState& state, Status& status) cons
     std::snprintf(text, sizeof text, "the goal is %.0f m away; allowed: %.0f m", error.distance, trust.goal_distance);
     return pause(brake(), DriveState::kHold, text);
   }
-  const double own = parameters_.manoeuvre.motion.speed;
+  const double own = parameters_.motion.speed;
   const Assignment assignment{*X_WG, clearance, goal.speed > 0.0 ? std::min(goal.speed, own) : own};
   return {manoeuvre_.step(now, assignment, state.manoeuvre)};
 }
@@ -158,7 +158,7 @@ Situation Navigator::situation(const NavigatorState& state, double clearance) co
   now.heading_sigma = state.pose->heading_sigma;
   now.measured = {state.track.speed(), state.track.turn_rate()};
   // A turn on the spot keeps no more than its own clearance, so faces may hide no more than that.
-  const double kept = std::min(clearance, parameters_.manoeuvre.passage.turn_clearance);
+  const double kept = std::min(clearance, parameters_.passage.turn_clearance);
   now.points = state.sonars.points(parameters_.sonars, state.track, kept);
   return now;
 }
@@ -167,7 +167,7 @@ Command Navigator::command(const Decision& decision, const NavigatorState& state
   if (decision.at_once) return {};
   const double seconds = state.track.step() > 0.0 ? state.track.step() : kNominalStep_s;
   const Command measured{state.track.speed(), state.track.turn_rate()};
-  return next_command(parameters_.manoeuvre.motion, decision.advice.motion, state.command, measured,
+  return next_command(parameters_.motion, decision.advice.motion, state.command, measured,
                       std::clamp(seconds, kShortestStep_s, kLongestStep_s));
 }
 

@@ -13,14 +13,18 @@
 #include "services/base-navigator/inputs/followed_goal.hpp"
 #include "services/base-navigator/inputs/motion_enable.hpp"
 #include "services/base-navigator/inputs/trust.hpp"
+#include "services/base-navigator/kinematics/motion.hpp"
 #include "services/base-navigator/kinematics/odometry_track.hpp"
 #include "services/base-navigator/navigator_types.hpp"
+#include "services/base-navigator/obstacles/passage.hpp"
 #include "services/base-navigator/obstacles/scan_check.hpp"
 #include "services/base-navigator/obstacles/sonar_memory.hpp"
 
 namespace markservo::base_navigator {
 
 struct NavigatorParameters {
+  MotionParameters motion;
+  PassageParameters passage;
   ManoeuvreParameters manoeuvre;
   TrustParameters trust;
   ExploreParameters explore;

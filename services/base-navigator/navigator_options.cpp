@@ -60,8 +60,8 @@ void add_explore_options(CLI::App& app, ExploreParameters& explore) {
 }  // namespace
 
 void add_navigator_options(CLI::App& app, NavigatorParameters& parameters) {
-  add_motion_options(app, parameters.manoeuvre.motion);
-  add_passage_options(app, parameters.manoeuvre.passage);
+  add_motion_options(app, parameters.motion);
+  add_passage_options(app, parameters.passage);
   add_arrival_options(app, parameters.manoeuvre.arrival);
   add_trust_options(app, parameters.trust);
   add_explore_options(app, parameters.explore);

@@ -8,7 +8,6 @@
 #include "services/base-navigator/drive/path_guard.hpp"
 #include "services/base-navigator/drive/situation.hpp"
 #include "services/base-navigator/drive/turning.hpp"
-#include "services/base-navigator/kinematics/motion.hpp"
 #include "services/base-navigator/obstacles/passage.hpp"
 
 namespace markservo::base_navigator {
@@ -17,8 +16,6 @@ struct ManoeuvreParameters {
   ArrivalParameters arrival;
   LegParameters legs;
   LegDriveParameters drive;
-  MotionParameters motion;
-  PassageParameters passage;
   TurnParameters turn;
   double obstacle_at_goal = 0.08;  // m; so near the goal an obstacle may be the goal's own shelf, met askew
 };

@@ -47,7 +47,7 @@ motion::GoalHeard FollowedGoal::observe(const TrustParameters& trust, const Goal
   return heard;
 }
 
-void FollowedGoal::observe_first(const TrustParameters& trust, const OdometryTrack& track) {
+void FollowedGoal::end_unless_fresh(const TrustParameters& trust, const OdometryTrack& track) {
   if (!inbox_.end_unless_fresh(track.newest_utime(), trust.goal_age)) return;
   dropped_ = "the goal heard before the first WHEEL_ODOMETRY is of another time: it was dropped";
   goal_.reset();

@@ -17,8 +17,8 @@ class FollowedGoal {
  public:
   // What became of a goal, new or repeated, heard while the stop is `latched` or not.
   motion::GoalHeard observe(const TrustParameters& trust, const Goal& goal, const OdometryTrack& track, bool latched);
-  // The first odometry has come: a goal heard before any time did is judged, so that none waits for its hour.
-  void observe_first(const TrustParameters& trust, const OdometryTrack& track);
+  // At the first odometry: a goal heard before any time came is judged, so that none waits for its hour.
+  void end_unless_fresh(const TrustParameters& trust, const OdometryTrack& track);
 
   // The goal will not be taken up again: a stop.
   void end();

@@ -59,9 +59,9 @@ TEST(Drive, ReachesTwentyGoalsInAHallWithinAMinuteEach) {
 
 TEST(Drive, LimitsAboveTheBasesOwnAreCut) {
   NavigatorParameters parameters;
-  parameters.manoeuvre.motion.speed = 9.0;
-  parameters.manoeuvre.motion.turn_rate = 19.0;
-  parameters.manoeuvre.motion.acceleration = 9.0;
+  parameters.motion.speed = 9.0;
+  parameters.motion.turn_rate = 19.0;
+  parameters.motion.acceleration = 9.0;
   Rig rig(1, parameters);
   rig.world.X_WR = {0.0, 0.0, 3.0};
   rig.tell(Rig::goal_at({5.0, 0.0, 0.0}));
