@@ -22,29 +22,30 @@ inline bool same(const OdometryId& a, const OdometryId& b) {
 // while poses stay away. So each is answered exactly once, live and from a log.
 class AnswerPacing {
  public:
-  // An odometry came in: which one must be answered before it, if one is still open.
-  std::optional<OdometryId> next(const OdometryId& odometry) {
+  // Which one must be answered before this odometry, if one is still open.
+  std::optional<OdometryId> observe_odometry(const OdometryId& odometry) {
     const std::optional<OdometryId> overdue = open_;
     open_ = odometry;
     return overdue;
   }
 
-  // Whether the open odometry is to be answered now; it is not open any more then. `pose` is the newest one's identity,
-  // `longest_wait` (s) the age from which on the next pose is not waited for.
-  std::optional<OdometryId> due(const std::optional<OdometryId>& pose, double longest_wait) {
+  // The newest pose answers that one.
+  void observe_pose(const OdometryId& pose) { pose_ = pose; }
+
+  // Whether the open odometry is to be answered now; it is not open any more then. `longest_wait` (s) is the age of the
+  // newest pose from which on the next one is not waited for.
+  std::optional<OdometryId> due(double longest_wait) {
     if (!open_) return std::nullopt;
-    const bool waits = pose && !same(*pose, *open_) && seconds_between(pose->utime, open_->utime) <= longest_wait;
+    const bool waits = pose_ && !same(*pose_, *open_) && seconds_between(pose_->utime, open_->utime) <= longest_wait;
     if (waits) return std::nullopt;
     const std::optional<OdometryId> now = open_;
     open_.reset();
     return now;
   }
 
-  // The odometry was refused: nothing answers it.
-  void drop() { open_.reset(); }
-
  private:
   std::optional<OdometryId> open_;
+  std::optional<OdometryId> pose_;
 };
 
 }  // namespace markservo::base_navigator

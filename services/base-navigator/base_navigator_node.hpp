@@ -30,7 +30,12 @@ class BaseNavigatorNode : public bus::Service {
   void start(bus::Bus& bus) override;
 
  private:
-  void add_motion_options(CLI::App& app);
+  // Without the reason: it may hold numbers that change with every answer.
+  struct Told {
+    DriveState state = DriveState::kHold;
+    std::string notice;
+  };
+
   void on_stop(const StopState& stop);
   void on_goal(const BaseGoal& goal);
   void on_scan(const SonarScan& scan);
@@ -48,14 +53,12 @@ class BaseNavigatorNode : public bus::Service {
   std::unique_ptr<Navigator> navigator_;
   NavigatorState state_;
   AnswerPacing pacing_;
-  std::optional<OdometryId> pose_;
   bus::Bus* bus_ = nullptr;
   std::optional<motion::MoverWatch> base_;
   std::optional<bus::Publisher<StopRequest>> stops_;
   std::optional<bus::Publisher<BaseCommand>> commands_;
   std::optional<bus::Publisher<BaseStatus>> statuses_;
-  std::optional<DriveState> told_;
-  std::string told_notice_;
+  std::optional<Told> told_;
   std::optional<std::chrono::steady_clock::time_point> heard_odometry_;
 };
 

@@ -1,23 +1,15 @@
 #include "services/base-navigator/navigator.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <stdexcept>
-
-#include "common/motion/freshness.hpp"
 
 namespace markservo::base_navigator {
 namespace {
 
-using geometry::PlanePose;
-
 constexpr double kNominalStep_s = 0.02;
 constexpr double kShortestStep_s = 0.005;
 constexpr double kLongestStep_s = 0.1;  // a longer gap must not become a bigger step
-constexpr double kExploreRoom_m = 0.1;
-constexpr double kMounting_m = 0.05;  // a sonar may be mounted so much farther out than robot.yaml's ring
-constexpr double kUnlike = 2.0;       // times robot.yaml's value, or that part of it: another kind of sonar
 
 const robot::BaseDescription& base_of(const robot::RobotDescription& robot) {
   if (!robot.base) throw std::invalid_argument("base-navigator: robot.yaml has no base");
@@ -30,7 +22,7 @@ Outline outline_of(const robot::BaseDescription& base) {
 }
 
 NavigatorParameters within_limits(NavigatorParameters parameters, const robot::BaseDescription& base) {
-  MotionParameters& motion = parameters.manoeuvre.motion;
+  MotionParameters& motion = parameters.motion;
   motion.speed = std::min(motion.speed, base.speed_max);
   motion.turn_rate = std::min(motion.turn_rate, base.turn_rate_max);
   motion.acceleration = std::min(motion.acceleration, base.acceleration_max);
@@ -43,49 +35,19 @@ NavigatorParameters within_limits(NavigatorParameters parameters, const robot::B
   return parameters;
 }
 
-// Empty unless a scan's value differs so much from robot.yaml's that its echoes mean something else.
-std::string why_unlike(const char* what, double value, double configured, const char* unit) {
-  if (value >= configured / kUnlike && value <= configured * kUnlike) return "";
-  char text[160];
-  std::snprintf(text, sizeof text, "%s is %.3f %s; allowed: %.3f to %.3f (robot.yaml: %.3f)", what, value, unit,
-                configured / kUnlike, configured * kUnlike, configured);
-  return text;
-}
-
-// Empty unless `utime` is too far from now.
-std::string why_old(const char* what, std::int64_t utime, std::int64_t now, double allowed) {
-  return motion::why_not_fresh({what, "WHEEL_ODOMETRY", allowed, allowed}, utime, now);
-}
-
 }  // namespace
 
 Navigator::Navigator(const robot::RobotDescription& robot, const NavigatorParameters& parameters)
     : parameters_(within_limits(parameters, base_of(robot))),
-      outline_(outline_of(base_of(robot))),
-      sonars_(*robot.sonars),
-      manoeuvre_(outline_, parameters_.manoeuvre) {}
+      scan_check_(*robot.sonars),
+      guard_(outline_of(base_of(robot)), parameters_.motion, parameters_.passage),
+      manoeuvre_(guard_, parameters_.manoeuvre) {}
 
 std::string Navigator::observe(const OdometrySample& sample, NavigatorState& state) const {
-  if (state.first_utime == 0 || sample.utime < state.first_utime) state.first_utime = sample.utime;
   const bool first = state.track.empty();
-  state.odometry_problem = state.track.add(parameters_.odometry, sample);
-  // A goal that came before any time did is judged now, so that none waits for its hour.
-  if (first && !state.track.empty() &&
-      state.goals.end_unless_fresh(state.track.newest_utime(), parameters_.trust.goal_age)) {
-    state.dropped = "the goal heard before the first WHEEL_ODOMETRY is of another time: it was dropped";
-    state.goal.reset();
-  }
-  return state.odometry_problem;
-}
-
-void Navigator::begin_anew(const std::string& why, NavigatorState& state) const {
-  state.track.forget();
-  state.first_utime = 0;
-  state.odometry_problem.clear();
-  state.pose.reset();
-  if (state.goal) state.dropped = why + ": the goal was dropped";
-  state.goals.end();
-  state.goal.reset();
+  std::string problem = state.track.add(parameters_.odometry, sample);
+  if (first && !state.track.empty()) state.goal.end_unless_fresh(parameters_.trust, state.track);
+  return problem;
 }
 
 void Navigator::observe(const PoseSample& sample, NavigatorState& state) const {
@@ -93,235 +55,120 @@ void Navigator::observe(const PoseSample& sample, NavigatorState& state) const {
 }
 
 std::string Navigator::observe(const SonarScanSample& scan, NavigatorState& state) const {
-  std::string problem = why_scan_is_refused(scan);
+  std::string problem = scan_check_.why_refused(scan);
   if (problem.empty()) state.sonars.add(parameters_.sonars, scan, state.track);
   return problem;
 }
 
-std::string Navigator::why_scan_is_refused(const SonarScanSample& scan) const {
-  if (static_cast<int>(scan.readings.size()) != sonars_.number) {
-    return "a scan of " + std::to_string(scan.readings.size()) + " sonars; allowed: " + std::to_string(sonars_.number) +
-           " as in robot.yaml";
-  }
-  if (auto why = why_unlike("min_range", scan.min_range, sonars_.min_range, "m"); !why.empty()) return why;
-  if (auto why = why_unlike("max_range", scan.max_range, sonars_.max_range, "m"); !why.empty()) return why;
-  if (auto why = why_unlike("beam_width", scan.beam_width, sonars_.beam_width, "rad"); !why.empty()) return why;
-  for (std::size_t i = 0; i < scan.readings.size(); ++i) {
-    const double off = scan.readings[i].X_RS.distance();
-    if (off <= sonars_.ring_radius + kMounting_m) continue;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "sonar %zu is %.2f m from the robot's origin; allowed: %.2f m (ring_radius + %.2f)", i, off,
-                  sonars_.ring_radius + kMounting_m, kMounting_m);
-    return text;
-  }
-  return "";
-}
-
 motion::GoalHeard Navigator::observe(const Goal& goal, NavigatorState& state) const {
-  const auto heard = state.goals.hear({goal.session, goal.id, goal.utime}, state.track.newest_utime(),
-                                      parameters_.trust.goal_age, state.stop_latched.value_or(false));
-  if (!state.goals.goal()) state.goal.reset();
-  if (heard == motion::GoalHeard::kAgain) state.goal->utime = state.goals.goal()->utime;
+  const auto heard = state.goal.observe(parameters_.trust, goal, state.track, state.enable.latched());
   if (heard != motion::GoalHeard::kNew) return heard;
-  state.goal = goal;
-  state.refusal = why_goal_is_refused(goal, state);
-  state.dropped.clear();
   state.manoeuvre = ManoeuvreState();
-  state.explore.failed = false;
-  state.X_WG.reset();
-  state.X_OG.reset();
-  if (goal.kind == GoalKind::kDrive && goal.frame == GoalFrame::kWorld) state.X_WG = goal.pose;
-  if (goal.kind == GoalKind::kDrive && goal.frame == GoalFrame::kRobot) {
-    state.X_OG = state.track.newest() * goal.pose;
-    state.X_OG_epoch = state.track.epoch();
-  }
+  state.exploration.permit();
   return heard;
 }
 
 void Navigator::observe_stop(bool latched, const std::string& reason, NavigatorState& state) const {
-  state.stop_latched = latched;
-  state.stop_reason = reason;
-  if (!latched) return;
-  state.goals.end();
-  state.goal.reset();
+  state.enable.observe_stop(latched, reason);
+  if (latched) state.goal.end();
+}
+
+void Navigator::begin_anew(const std::string& why, NavigatorState& state) const {
+  state.track.forget();
+  state.pose.reset();
+  state.goal.drop(why);
 }
 
 Output Navigator::step(NavigatorState& state) const {
   Output output;
-  if (const auto& goal = state.goal) {
+  if (const auto& goal = state.goal.goal()) {
     output.status.goal_session = goal->session;
     output.status.goal_id = goal->id;
   }
-  const Decision decision = decide(state, output.status);
+  const auto standing = pause_due(state);
+  const Decision decision = standing ? *standing : drive(state, output.status);
+  if (decision.pauses) {
+    Manoeuvre::interrupt(state.manoeuvre);
+    state.exploration.interrupt();
+  }
   output.status.state = decision.advice.state;
   output.status.reason = decision.advice.reason;
-  if (decision.at_once) {
-    state.command = Command();
-  } else {
-    const double seconds = state.track.step() > 0.0 ? state.track.step() : kNominalStep_s;
-    const Command measured{state.track.speed(), state.track.turn_rate()};
-    state.command = next_command(parameters_.manoeuvre.motion, decision.advice.motion, state.command, measured,
-                                 std::clamp(seconds, kShortestStep_s, kLongestStep_s));
-  }
+  state.command = command(decision, state);
   output.command = state.command;
   return output;
 }
 
-Navigator::Decision Navigator::decide(NavigatorState& state, Status& status) const {
-  const auto interrupted = [&state](const Motion& motion, DriveState drive_state, const std::string& reason,
-                                    bool at_once) {
-    Manoeuvre::interrupt(state.manoeuvre);
-    state.explore.active = false;
-    return Decision{{motion, drive_state, reason}, at_once};
-  };
-  const std::int64_t now = state.track.newest_utime();
-  if (!state.blocked.empty()) return interrupted(stand(), DriveState::kStopped, state.blocked, true);
-  if (!state.stop_latched || *state.stop_latched) {
-    std::string reason = !state.stop_latched ? "no STOP_STATE of the base yet" : state.stop_reason;
-    if (reason.empty()) reason = "STOP is latched";
-    return interrupted(stand(), DriveState::kStopped, reason, true);
-  }
-  const auto& goal = state.goal;
-  if (!goal) {
-    return interrupted(stand(), DriveState::kHold, state.dropped.empty() ? "no goal" : state.dropped, false);
-  }
-  if (const auto why = why_old("BASE_GOAL", goal->utime, now, parameters_.trust.goal_age); !why.empty()) {
-    return interrupted(stand(), DriveState::kStale, why, true);
-  }
-  if (!state.refusal.empty()) return interrupted(brake(), DriveState::kHold, state.refusal, false);
-  if (goal->kind == GoalKind::kHold) return interrupted(stand(), DriveState::kHold, "", false);
-  if (const auto why = why_stale(state); !why.empty()) return interrupted(stand(), DriveState::kStale, why, true);
-  if (const auto why = why_lost(state); !why.empty()) return interrupted(brake(), DriveState::kLost, why, false);
-
-  Situation situation;
-  situation.utime = now;
-  situation.X_OR = state.track.newest();
-  situation.epoch = state.track.epoch();
-  situation.X_WR = pose_now(state);
-  situation.position_sigma = state.pose->position_sigma;
-  situation.heading_sigma = state.pose->heading_sigma;
-  situation.measured = {state.track.speed(), state.track.turn_rate()};
-  const PassageParameters& passage = parameters_.manoeuvre.passage;
-  const double clearance = goal->clearance > 0.0 ? goal->clearance : passage.clearance;
-  // A turn on the spot keeps no more than its own clearance, so faces may hide no more than that.
-  situation.points = state.sonars.points(parameters_.sonars, state.track, std::min(clearance, passage.turn_clearance));
-  if (const auto advice = explore(situation, clearance, state)) return {*advice, false};
-
-  if (!state.X_WG && !place_goal(state)) return interrupted(brake(), DriveState::kHold, state.refusal, false);
-  const PlanePose X_RG = situation.X_WR.inverse() * *state.X_WG;
-  status.distance = X_RG.distance();
-  status.heading_error = X_RG.heading;
-  if (status.distance > parameters_.trust.goal_distance) {
-    char text[160];
-    std::snprintf(text, sizeof text, "the goal is %.0f m away; allowed: %.0f m", status.distance,
-                  parameters_.trust.goal_distance);
-    return interrupted(brake(), DriveState::kHold, text, false);
-  }
-  const double own = parameters_.manoeuvre.motion.speed;
-  const Assignment assignment{*state.X_WG, clearance, goal->speed > 0.0 ? std::min(goal->speed, own) : own};
-  return {manoeuvre_.step(situation, assignment, state.manoeuvre), false};
+Navigator::Decision Navigator::pause(const Motion& motion, DriveState state, const std::string& reason) {
+  return {{motion, state, reason}, false, true};
 }
 
-std::string Navigator::why_goal_is_refused(const Goal& goal, const NavigatorState& state) const {
-  if (goal.kind == GoalKind::kHold) return "";
-  if (goal.clearance < 0.0) return "clearance is " + std::to_string(goal.clearance) + " m; allowed: 0 or more";
-  if (goal.speed < 0.0) return "speed is " + std::to_string(goal.speed) + " m/s; allowed: 0 or more";
-  if (goal.frame == GoalFrame::kWorld) return "";
-  if (goal.pose.distance() > parameters_.trust.goal_distance) {
-    return "the goal is " + std::to_string(goal.pose.distance()) +
-           " m away; allowed: " + std::to_string(parameters_.trust.goal_distance) + " m";
-  }
-  // The run before may have driven a part of it; driving it once more would end elsewhere.
-  const double age = seconds_between(state.first_utime, state.track.newest_utime());
-  if (state.track.empty() || age < std::max(parameters_.trust.restart_guard, parameters_.trust.goal_age)) {
-    return "a goal relative to the robot was given before the navigator had started; allowed: a new goal_id";
-  }
-  return "";
+Navigator::Decision Navigator::pause_at_once(DriveState state, const std::string& reason) {
+  return {{stand(), state, reason}, true, true};
 }
 
-std::string Navigator::why_stale(const NavigatorState& state) const {
-  const std::int64_t now = state.track.newest_utime();
-  if (state.track.empty()) return "no WHEEL_ODOMETRY yet";
-  if (!state.odometry_problem.empty()) return "WHEEL_ODOMETRY: " + state.odometry_problem;
-  if (!state.pose) return "no ROBOT_POSE yet";
-  if (auto why = why_old("ROBOT_POSE", state.pose->utime, now, parameters_.trust.pose_age); !why.empty()) return why;
-  if (!state.track.at(state.pose->utime, parameters_.trust.pose_age)) return "ROBOT_POSE is of before WHEEL_ODOMETRY";
-  const std::int64_t scan = state.sonars.newest_utime(state.track);
-  if (scan == 0) return "no SONAR_SCAN since WHEEL_ODOMETRY began";
-  return why_old("SONAR_SCAN", scan, now, parameters_.trust.scan_age);
-}
-
-std::string Navigator::why_lost(const NavigatorState& state) const {
-  const PoseSample& pose = *state.pose;
+std::optional<Navigator::Decision> Navigator::pause_due(const NavigatorState& state) const {
   const TrustParameters& trust = parameters_.trust;
-  const ExploreParameters& explore = parameters_.explore;
-  if (pose.state == Localisation::kLost) return "ROBOT_POSE is lost: " + pose.reason;
-  const bool heading_known = pose.heading_sigma <= trust.heading_sigma;
-  const bool may_explore = explore.enabled && !heading_known;
-  if (pose.state == Localisation::kSearching && !may_explore) return "ROBOT_POSE is searching: " + pose.reason;
-  const double allowed = may_explore ? explore.position_sigma : trust.position_sigma;
-  char text[160];
-  if (pose.position_sigma > allowed) {
-    std::snprintf(text, sizeof text, "the position's sigma is %.2f m; allowed: %.2f m", pose.position_sigma, allowed);
-    return text;
+  if (const auto why = state.enable.why_stopped(); !why.empty()) return pause_at_once(DriveState::kStopped, why);
+  const auto& goal = state.goal.goal();
+  if (!goal) return pause(stand(), DriveState::kHold, state.goal.why_none());
+  if (const auto why = why_goal_is_stale(trust, goal->utime, state.track); !why.empty()) {
+    return pause_at_once(DriveState::kStale, why);
   }
-  if (!heading_known && !may_explore) {
-    std::snprintf(text, sizeof text, "the heading's sigma is %.2f rad; allowed: %.2f rad", pose.heading_sigma,
-                  trust.heading_sigma);
-    return text;
+  if (!state.goal.refusal().empty()) return pause(brake(), DriveState::kHold, state.goal.refusal());
+  if (goal->kind == GoalKind::kHold) return pause(stand(), DriveState::kHold, "");
+  if (const auto why = why_stale(trust, state.track, state.pose, state.sonars); !why.empty()) {
+    return pause_at_once(DriveState::kStale, why);
   }
-  if (!heading_known && state.explore.failed) {
-    std::snprintf(text, sizeof text, "the heading did not become known within %.2f m", explore.way);
-    return text;
+  if (const auto why = why_lost(trust, parameters_.explore, *state.pose, state.exploration.failed()); !why.empty()) {
+    return pause(brake(), DriveState::kLost, why);
   }
-  return "";
+  return std::nullopt;
 }
 
-// The newest pose, carried on to now by the wheels.
-PlanePose Navigator::pose_now(const NavigatorState& state) const {
-  const auto X_OR_then = state.track.at(state.pose->utime, parameters_.trust.pose_age);
-  return state.pose->X_WR * (X_OR_then->inverse() * state.track.newest());
+Navigator::Decision Navigator::drive(NavigatorState& state, Status& status) const {
+  const TrustParameters& trust = parameters_.trust;
+  const Goal& goal = *state.goal.goal();
+  const double clearance = goal.clearance > 0.0 ? goal.clearance : parameters_.passage.clearance;
+  const Situation now = situation(state, clearance);
+  if (const auto advice = state.exploration.step(parameters_.explore, trust.heading_sigma, guard_, now, clearance)) {
+    return {*advice};
+  }
+  const auto X_WG = state.goal.place(now.X_WR, state.track);
+  if (!X_WG) return pause(brake(), DriveState::kHold, state.goal.refusal());
+  const PoseError error = error_of(now.X_WR, *X_WG);
+  status.distance = error.distance;
+  status.heading_error = error.heading;
+  if (error.distance > trust.goal_distance) {
+    char text[160];
+    std::snprintf(text, sizeof text, "the goal is %.0f m away; allowed: %.0f m", error.distance, trust.goal_distance);
+    return pause(brake(), DriveState::kHold, text);
+  }
+  const double own = parameters_.motion.speed;
+  const Assignment assignment{*X_WG, clearance, goal.speed > 0.0 ? std::min(goal.speed, own) : own};
+  return {manoeuvre_.step(now, assignment, state.manoeuvre)};
 }
 
-// A goal in R is kept in the wheels' frame until the pose is good enough to place it in W.
-bool Navigator::place_goal(NavigatorState& state) const {
-  if (!state.X_OG || state.X_OG_epoch != state.track.epoch()) {
-    state.refusal = "WHEEL_ODOMETRY was interrupted before a goal relative to the robot could be placed";
-    return false;
-  }
-  state.X_WG = pose_now(state) * (state.track.newest().inverse() * *state.X_OG);
-  return true;
+Situation Navigator::situation(const NavigatorState& state, double clearance) const {
+  Situation now;
+  now.utime = state.track.newest_utime();
+  now.X_OR = state.track.newest();
+  now.epoch = state.track.epoch();
+  now.X_WR = reckoned_pose(parameters_.trust, *state.pose, state.track);
+  now.position_sigma = state.pose->position_sigma;
+  now.heading_sigma = state.pose->heading_sigma;
+  now.measured = {state.track.speed(), state.track.turn_rate()};
+  // A turn on the spot keeps no more than its own clearance, so faces may hide no more than that.
+  const double kept = std::min(clearance, parameters_.passage.turn_clearance);
+  now.points = state.sonars.points(parameters_.sonars, state.track, kept);
+  return now;
 }
 
-std::optional<Advice> Navigator::explore(const Situation& situation, double clearance, NavigatorState& state) const {
-  const ExploreParameters& parameters = parameters_.explore;
-  ExploreState& explore = state.explore;
-  const double known = explore.active ? parameters.heading_known : parameters_.trust.heading_sigma;
-  if (situation.heading_sigma <= known) {
-    explore.active = false;
-    explore.failed = false;
-    return std::nullopt;
-  }
-  if (!explore.active || explore.epoch != state.track.epoch()) {
-    explore.active = true;
-    explore.epoch = state.track.epoch();
-    explore.X_OR_start = state.track.newest();
-    explore.passage = PassageState();
-    const double ahead = manoeuvre_.straight_room(situation, clearance, Direction::kForward, parameters.way);
-    const double behind = manoeuvre_.straight_room(situation, clearance, Direction::kBackward, parameters.way);
-    const bool back = ahead < kExploreRoom_m && behind > ahead;
-    explore.direction = back ? Direction::kBackward : Direction::kForward;
-  }
-  const double gone = (explore.X_OR_start.inverse() * state.track.newest()).distance();
-  if (gone >= parameters.way) {
-    explore.failed = true;
-    explore.active = false;
-    return Advice{brake(), DriveState::kLost, "the heading did not become known"};
-  }
-  Advice advice = manoeuvre_.creep(situation, clearance, explore.direction, parameters.speed, explore.passage);
-  if (advice.reason.empty()) advice.reason = "learning the heading";
-  return advice;
+Command Navigator::command(const Decision& decision, const NavigatorState& state) const {
+  if (decision.at_once) return {};
+  const double seconds = state.track.step() > 0.0 ? state.track.step() : kNominalStep_s;
+  const Command measured{state.track.speed(), state.track.turn_rate()};
+  return next_command(parameters_.motion, decision.advice.motion, state.command, measured,
+                      std::clamp(seconds, kShortestStep_s, kLongestStep_s));
 }
 
 }  // namespace markservo::base_navigator

@@ -1,10 +1,10 @@
-#include "services/base-navigator/course.hpp"
+#include "services/base-navigator/kinematics/course.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "services/base-navigator/leg_plan.hpp"
+#include "services/base-navigator/drive/leg_plan.hpp"
 
 namespace markservo::base_navigator {
 namespace {
@@ -14,8 +14,8 @@ using geometry::PlanePose;
 const CourseParameters kCourse;
 
 PlanePose end_of(const PlanePose& X_GR, Direction direction) {
-  const auto way = course_way(kCourse, X_GR, direction, 0.01, 20.0);
-  return X_GR * way.back().X_RS;
+  const auto path = course_path(kCourse, X_GR, direction, 0.01, 20.0);
+  return X_GR * path.back().X_RS;
 }
 
 TEST(Course, IsStraightOnTheGoalsAxis) {

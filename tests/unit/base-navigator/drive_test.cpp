@@ -59,9 +59,9 @@ TEST(Drive, ReachesTwentyGoalsInAHallWithinAMinuteEach) {
 
 TEST(Drive, LimitsAboveTheBasesOwnAreCut) {
   NavigatorParameters parameters;
-  parameters.manoeuvre.motion.speed = 9.0;
-  parameters.manoeuvre.motion.turn_rate = 19.0;
-  parameters.manoeuvre.motion.acceleration = 9.0;
+  parameters.motion.speed = 9.0;
+  parameters.motion.turn_rate = 19.0;
+  parameters.motion.acceleration = 9.0;
   Rig rig(1, parameters);
   rig.world.X_WR = {0.0, 0.0, 3.0};
   rig.tell(Rig::goal_at({5.0, 0.0, 0.0}));
@@ -114,7 +114,7 @@ TEST(Drive, AllTheWayThatItGoesToMakeRoomIsCounted) {
   rig.tell(Rig::goal_at({-2.0, 0.0, M_PI}));
   for (int i = 0; i < Rig::steps_in(10.0) && std::abs(rig.world.turn_rate) < 0.5; ++i) rig.step();
   ASSERT_GT(rig.world.X_WR.distance(), 0.02);
-  EXPECT_NEAR(rig.state.manoeuvre.room_made, rig.world.X_WR.distance(), 0.01);
+  EXPECT_NEAR(rig.state.manoeuvre.room.made(), rig.world.X_WR.distance(), 0.01);
 }
 
 TEST(Drive, ArrivesOnlyAfterItHasStoodForAWhile) {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
-#include "services/base-navigator/clearance.hpp"
 #include "services/base-navigator/navigator_types.hpp"
+#include "services/base-navigator/obstacles/free_path.hpp"
 
 namespace markservo::base_navigator::test {
 

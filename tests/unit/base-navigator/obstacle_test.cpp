@@ -20,7 +20,7 @@ std::vector<Wall> box_ahead(const Rig& rig, double gap, double aside = 0.0) {
 
 NavigatorParameters at_speed(double speed) {
   NavigatorParameters parameters;
-  parameters.manoeuvre.motion.speed = speed;
+  parameters.motion.speed = speed;
   return parameters;
 }
 

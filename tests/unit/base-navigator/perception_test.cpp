@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "services/base-navigator/sonar_memory.hpp"
+#include "services/base-navigator/obstacles/sonar_memory.hpp"
 #include "tests/unit/base-navigator/rig.hpp"
 
 namespace markservo::base_navigator::test {
