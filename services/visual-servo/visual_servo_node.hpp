@@ -14,7 +14,7 @@
 
 #include "common/bus/service.hpp"
 #include "common/motion/mover_watch.hpp"
-#include "services/visual-servo/servo_state_machine.hpp"
+#include "services/visual-servo/decisions/servo_state_machine.hpp"
 
 namespace markservo::visual_servo {
 

@@ -1,4 +1,4 @@
-#include "services/visual-servo/servo_state_machine.hpp"
+#include "services/visual-servo/decisions/servo_state_machine.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 
 #include "common/motion/freshness.hpp"
 #include "common/robot/arm_kinematics.hpp"
-#include "services/visual-servo/goal_check.hpp"
-#include "services/visual-servo/in_flight.hpp"
-#include "services/visual-servo/mark_lookup.hpp"
-#include "services/visual-servo/paper_law.hpp"
+#include "services/visual-servo/arm/goal_check.hpp"
+#include "services/visual-servo/laws/paper_law.hpp"
+#include "services/visual-servo/sight/in_flight.hpp"
+#include "services/visual-servo/sight/mark_lookup.hpp"
 
 namespace markservo::visual_servo {
 namespace {

@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <string>
 
-#include "services/visual-servo/joint_history.hpp"
-#include "services/visual-servo/kinematic_bias.hpp"
-#include "services/visual-servo/one_sided_approach.hpp"
-#include "services/visual-servo/resolved_rate.hpp"
-#include "services/visual-servo/settling.hpp"
+#include "services/visual-servo/arm/joint_history.hpp"
+#include "services/visual-servo/arm/settling.hpp"
+#include "services/visual-servo/laws/one_sided_approach.hpp"
+#include "services/visual-servo/laws/resolved_rate.hpp"
+#include "services/visual-servo/sight/kinematic_bias.hpp"
 
 namespace markservo::visual_servo {
 

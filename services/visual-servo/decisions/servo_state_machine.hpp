@@ -8,12 +8,12 @@
 #include <string>
 
 #include "common/motion/goal_inbox.hpp"
-#include "services/visual-servo/gripper_watch.hpp"
-#include "services/visual-servo/joint_history.hpp"
-#include "services/visual-servo/posture_motion.hpp"
-#include "services/visual-servo/servo_by_sight.hpp"
+#include "services/visual-servo/arm/gripper_watch.hpp"
+#include "services/visual-servo/arm/joint_history.hpp"
+#include "services/visual-servo/laws/posture_motion.hpp"
+#include "services/visual-servo/laws/servo_by_sight.hpp"
 #include "services/visual-servo/servo_types.hpp"
-#include "services/visual-servo/still_target.hpp"
+#include "services/visual-servo/sight/still_target.hpp"
 
 namespace markservo::visual_servo {
 

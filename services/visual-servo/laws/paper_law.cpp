@@ -1,4 +1,4 @@
-#include "services/visual-servo/paper_law.hpp"
+#include "services/visual-servo/laws/paper_law.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "services/visual-servo/resolved_rate.hpp"
+#include "services/visual-servo/laws/resolved_rate.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,11 +1,11 @@
-#include "services/visual-servo/servo_by_sight.hpp"
+#include "services/visual-servo/laws/servo_by_sight.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "common/robot/arm_kinematics.hpp"
-#include "services/visual-servo/goal_check.hpp"
-#include "services/visual-servo/in_flight.hpp"
+#include "services/visual-servo/arm/goal_check.hpp"
+#include "services/visual-servo/sight/in_flight.hpp"
 
 namespace markservo::visual_servo {
 namespace {
