@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "common/motion/freshness.hpp"
-#include "common/robot/arm_kinematics.hpp"
 #include "services/visual-servo/arm/goal_check.hpp"
+#include "services/visual-servo/arm/joint_limits.hpp"
 #include "services/visual-servo/laws/paper_law.hpp"
 #include "services/visual-servo/sight/in_flight.hpp"
 #include "services/visual-servo/sight/mark_lookup.hpp"
@@ -20,10 +20,6 @@ constexpr double kNominalFrame_s = 1.0 / 30.0;
 constexpr double kShortestFrame_s = 1.0 / 120.0;
 constexpr double kLongestFrame_s = 0.1;  // a longer gap must not become a longer step
 constexpr double kStands_s = 0.3;        // without a command, by then the arm stands: nothing is left to slow down from
-constexpr double kRampReserve = 1.05;    // ramps end a little before the next command
-constexpr double kSlowestRamp = 0.2;     // rad/s
-constexpr double kNegligibleStep = 1e-4;  // rad
-constexpr double kPlaceKnown_s = 0.03;  // of agreeing joint states after a leap, before the arm is taken where they say
 
 }  // namespace
 
@@ -38,20 +34,19 @@ ServoStateMachine::ServoStateMachine(robot::RobotDescription robot, Parameters p
   if (parameters_.law == Law::kPaper && !robot_.paper_law) {
     throw std::invalid_argument("visual-servo: robot.yaml has no paper_law, needed by law 'paper'");
   }
-  for (int i = 0; i < robot::kNumJoints; ++i) servo_speed_[i] = arm_.joints[static_cast<std::size_t>(i)].speed;
 }
 
 bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
   if (!sample.position.allFinite() || !std::isfinite(sample.gripper_opening)) return false;
   const bool first = state.joints.empty();
-  if (state.joints.add(sample, servo_speed_)) state.adopt_joints = true;
+  if (state.joints.add(sample, servo_speeds(arm_))) state.command.require_adoption();
   // A goal that came before any time did is judged now, so that none waits for its hour.
   if (first && state.goals.end_unless_fresh(sample.utime, parameters_.goal_age)) {
     state.dropped = "the goal heard before the first JOINT_STATE is of another time: it was dropped";
     state.goal.reset();
   }
-  const bool obeying = state.commanded && !state.adopt_joints && !state.stop_latched.value_or(true);
-  watch_gripper(sample, state.command.gripper_opening, state.gripper_utime, obeying, state.gripper);
+  const bool obeying = state.command.begun() && !state.command.adoption_due() && !state.stop_latched.value_or(true);
+  state.gripper.observe(sample, obeying);
   return true;
 }
 
@@ -76,7 +71,7 @@ void ServoStateMachine::observe_stop(bool latched, const std::string& reason, St
   state.stop_latched = latched;
   state.stop_reason = reason;
   // Even if the reset comes before the next picture: what was commanded before the stop must not be resumed.
-  if (latched || was_latched) state.adopt_joints = true;
+  if (latched || was_latched) state.command.require_adoption();
   if (!latched) return;
   state.goals.end();
   state.goal.reset();
@@ -84,7 +79,7 @@ void ServoStateMachine::observe_stop(bool latched, const std::string& reason, St
 
 void ServoStateMachine::begin_anew(const std::string& why, State& state) const {
   state.joints.forget();
-  state.adopt_joints = true;
+  state.command.require_adoption();
   if (state.goal) state.dropped = why + ": the goal was dropped";
   state.goals.end();
   state.goal.reset();
@@ -109,24 +104,24 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     return output;
   }
   const std::string stale = why_stale(pose, state);
-  if (!state.commanded || (state.adopt_joints && stale.empty())) adopt_joints(state);
+  if (!state.command.begun() || (state.command.adoption_due() && stale.empty())) adopt_joints(state);
   // One picture with an impossible time must not make all that follow look old.
   if (stale.empty()) advance_time(pose, state);
 
   if (!state.blocked.empty()) {
-    hold(state);
+    state.command.hold();
     status.state = ServoState::kStopped;
     status.reason = state.blocked;
   } else if (!state.stop_latched || *state.stop_latched) {
-    hold(state);
+    state.command.hold();
     // A stopped arm rests short of its command: begin from there.
-    if (state.joints.newest().position != state.command.position) adopt_joints(state);
-    adopt_gripper(state);
+    if (state.joints.newest().position != state.command.position()) adopt_joints(state);
+    state.gripper.adopt(arm_.gripper, state.joints.newest());
     status.state = ServoState::kStopped;
     status.reason = !state.stop_latched ? "no STOP_STATE of the arm yet" : state.stop_reason;
     if (status.reason.empty()) status.reason = "STOP is latched";
   } else if (!stale.empty()) {
-    hold(state);
+    state.command.hold();
     status.state = ServoState::kStale;
     status.reason = stale;
   } else if (const std::string goal_stale = why_goal_is_stale(state); !goal_stale.empty()) {
@@ -138,8 +133,8 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
   } else {
     follow_goal(pose, state, status);
   }
-  state.command.joint_session = state.joints.newest().session;
-  output.command = state.command;
+  output.command = {state.command.position(), state.command.speed_limit(), state.joints.newest().session,
+                    state.gripper.opening(), state.gripper.force()};
   return output;
 }
 
@@ -151,34 +146,17 @@ void ServoStateMachine::advance_time(const PoseSample& pose, State& state) const
     state.sight = SightState();
     state.pose_utime = pose.utime;
   } else if (pose.utime > state.pose_utime) {
-    if (seconds_between(state.pose_utime, pose.utime) > kStands_s) hold(state);
+    if (seconds_between(state.pose_utime, pose.utime) > kStands_s) state.command.hold();
     state.seconds = std::clamp(seconds_between(state.pose_utime, pose.utime), kShortestFrame_s, kLongestFrame_s);
     state.pose_utime = pose.utime;
   }
 }
 
 void ServoStateMachine::adopt_joints(State& state) const {
-  const JointSample& now = state.joints.newest();
-  state.command.position = now.position;
-  // Nothing is to move by it: slow, so that an arm that is elsewhere refuses it as leading its shafts too far.
-  state.command.speed_limit.setConstant(kSlowestRamp);
-  state.command_utime = now.utime;
-  state.adopt_joints = false;
-  state.last_step.setZero();
+  state.command.adopt(state.joints.newest());
+  state.gripper.adopt(arm_.gripper, state.joints.newest());
   state.sight = SightState();
   state.paper_frames = 0;
-  if (state.commanded) return adopt_gripper(state);
-  state.commanded = true;
-  // Until a goal is learned the gripper stays as it is; one that holds something goes on pressing.
-  set_opening(now.contact ? 0.0 : now.gripper_opening, state);
-  state.command.gripper_force = arm_.gripper.force_max;
-}
-
-// The gripper stays as it is: one that was moving does not go on, one that presses goes on pressing.
-void ServoStateMachine::adopt_gripper(State& state) const {
-  const JointSample& now = state.joints.newest();
-  const bool holds = state.gripper.pressing || (now.contact && state.command.gripper_opening < now.gripper_opening);
-  if (!holds) set_opening(now.gripper_opening, state);
 }
 
 std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& state) const {
@@ -200,11 +178,9 @@ std::string ServoStateMachine::why_goal_is_stale(const State& state) const {
 void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status& status) const {
   const JointSample& now = state.joints.newest();
   const SettlingParameters& settling = parameters_.sight.settling;
-  const bool elsewhere = (now.position - state.command.position).cwiseAbs().maxCoeff() > parameters_.lost_arm;
-  if (elsewhere && at_rest_since(settling, state.joints, state.command.position, state.command_utime)) {
-    adopt_joints(state);
-  }
-  status.settled = at_rest_since(settling, state.joints, state.command.position, state.command_utime).has_value();
+  const bool elsewhere = (now.position - state.command.position()).cwiseAbs().maxCoeff() > parameters_.lost_arm;
+  if (elsewhere && state.command.at_rest_since(settling, state.joints)) adopt_joints(state);
+  status.settled = state.command.at_rest_since(settling, state.joints).has_value();
   if (!state.goal) {
     status.state = ServoState::kHold;
     status.reason = state.dropped.empty() ? "no goal" : state.dropped;
@@ -218,7 +194,7 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
     slow_down(state);
     return;
   }
-  set_gripper(goal, state);
+  state.gripper.follow(arm_.gripper, goal, now.utime);
   switch (goal.kind) {
     case GoalKind::kPosture:
       move_to_posture(state, status);
@@ -235,54 +211,24 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
 }
 
 void ServoStateMachine::slow_down(State& state) const {
-  if (state.last_step.isZero()) return;
-  state.waiting += state.seconds;
-  state.last_step *= std::pow(parameters_.slow_down_factor, state.seconds / kNominalFrame_s);
-  if (state.waiting > parameters_.slow_down_time || state.last_step.cwiseAbs().maxCoeff() < kNegligibleStep) {
-    hold(state);
-    return;
-  }
-  state.command.position = inside_limits(arm_, state.command.position + state.last_step);
-  state.command_utime = state.joints.newest().utime;
+  state.command.slow_down(arm_, parameters_.command, state.joints.newest().utime, state.seconds);
 }
 
-void ServoStateMachine::move(const JointVector& step, bool at_once, bool streaming, State& state,
-                             Status& status) const {
-  const JointVector next = state.command.position + step;
-  const JointVector lead = (next - state.joints.newest().position).cwiseAbs();
-  int joint = 0;
-  if (lead.maxCoeff(&joint) > parameters_.follow_lead) {
-    hold(state);
-    status.reason = "the arm does not follow: joint " + arm_.joints[static_cast<std::size_t>(joint)].name;
-    return;
-  }
-  state.waiting = 0.0;
-  if (streaming) {
-    state.last_step = step;
-  } else {
-    hold(state);
-  }
-  if (step.isZero()) return;
-  state.command.position = next;
-  state.command_utime = state.joints.newest().utime;
-  const JointVector streamed = (step.cwiseAbs() * (kRampReserve / state.seconds)).cwiseMax(kSlowestRamp);
-  const JointVector slower = streaming ? streamed : JointVector::Constant(parameters_.sight.rate.joint_speed);
-  state.command.speed_limit = at_once ? servo_speed_ : JointVector(slower.cwiseMin(servo_speed_));
+void ServoStateMachine::move(const ArmStep& step, State& state, Status& status) const {
+  status.reason = state.command.move(arm_, parameters_.command, step, state.joints.newest(), state.seconds);
 }
 
 void ServoStateMachine::move_to_posture(State& state, Status& status) const {
   const Goal& goal = *state.goal;
   const JointVector q_goal(goal.position[0], goal.position[1], goal.position[2]);
   status.state = ServoState::kPosture;
-  const double speed_before = state.last_step.cwiseAbs().maxCoeff() / state.seconds;
-  const JointVector step = posture_step(arm_, parameters_.posture, state.command.position, q_goal, state.seconds,
+  const double speed_before = state.command.last_step().cwiseAbs().maxCoeff() / state.seconds;
+  const JointVector step = posture_step(arm_, parameters_.posture, state.command.position(), q_goal, state.seconds,
                                         grip_speed_limit(goal), speed_before);
-  move(step, false, true, state, status);
-  if (step.isZero()) hold(state);
-  const auto rest =
-      at_rest_since(parameters_.sight.settling, state.joints, state.command.position, state.command_utime);
-  status.settled = step.isZero() && rest &&
-                   seconds_between(*rest, state.joints.newest().utime) >= parameters_.sight.settling.settle_time;
+  move({step, true}, state, status);
+  if (step.isZero()) state.command.hold();
+  status.settled =
+      step.isZero() && state.command.settled_at(parameters_.sight.settling, state.joints, state.joints.newest().utime);
 }
 
 void ServoStateMachine::servo(const PoseSample& pose, State& state, Status& status) const {
@@ -328,10 +274,7 @@ void ServoStateMachine::servo_resolved_rate(const PoseSample& pose, const MarkSa
   sight.p_CG_goal = state.target.position() + goal.p_TG_C;
   sight.tolerance = goal.tolerance;
   sight.grip_speed = grip_speed_limit(goal);
-  sight.speed_before =
-      (robot::grip_point_jacobian(arm_, state.command.position) * state.last_step).norm() / state.seconds;
-  const SightAnswer answer = servo_by_sight(arm_, parameters_.sight, sight, state.joints, state.command.position,
-                                            state.command_utime, state.sight);
+  const SightAnswer answer = servo_by_sight(arm_, parameters_.sight, sight, state.joints, state.command, state.sight);
   status.error = answer.error;
   status.covariance = state.target.covariance() + hand.covariance / answer.frames;
   status.settled = answer.settled;
@@ -342,7 +285,7 @@ void ServoStateMachine::servo_resolved_rate(const PoseSample& pose, const MarkSa
     return;
   }
   status.state = answer.converged ? ServoState::kConverged : ServoState::kServo;
-  move(answer.step, answer.at_once, answer.streaming, state, status);
+  move(answer.step, state, status);
 }
 
 void ServoStateMachine::servo_paper(const PoseSample& pose, const MarkSample& hand, State& state,
@@ -373,21 +316,9 @@ void ServoStateMachine::servo_paper(const PoseSample& pose, const MarkSample& ha
   JointVector step = JointVector::Zero();
   if (!there) {
     step = paper_step(*robot_.paper_law, error, state.seconds, parameters.rate.joint_speed);
-    step = inside_limits(arm_, state.command.position + step) - state.command.position;
+    step = inside_limits(arm_, state.command.position() + step) - state.command.position();
   }
-  move(step, false, !there, state, status);
-}
-
-void ServoStateMachine::set_gripper(const Goal& goal, State& state) const {
-  set_opening(goal.gripper_opening, state);
-  state.command.gripper_force = std::clamp(goal.gripper_force, 0.0, arm_.gripper.force_max);
-}
-
-void ServoStateMachine::set_opening(double opening, State& state) const {
-  const double allowed = std::clamp(opening, 0.0, arm_.gripper.opening_max);
-  if (allowed == state.command.gripper_opening) return;
-  state.command.gripper_opening = allowed;
-  state.gripper_utime = state.joints.newest().utime;
+  move({step, !there}, state, status);
 }
 
 double ServoStateMachine::grip_speed_limit(const Goal& goal) const {

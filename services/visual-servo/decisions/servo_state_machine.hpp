@@ -8,7 +8,8 @@
 #include <string>
 
 #include "common/motion/goal_inbox.hpp"
-#include "services/visual-servo/arm/gripper_watch.hpp"
+#include "services/visual-servo/arm/arm_command.hpp"
+#include "services/visual-servo/arm/gripper_command.hpp"
 #include "services/visual-servo/arm/joint_history.hpp"
 #include "services/visual-servo/laws/posture_motion.hpp"
 #include "services/visual-servo/laws/servo_by_sight.hpp"
@@ -24,17 +25,14 @@ struct Parameters {
   SightParameters sight;
   PostureMotionParameters posture;
   StillTargetParameters target;
+  ArmCommandParameters command;
   double pose_age = 0.2;   // s; a picture that is older than the joint states by more is not acted on
   double joint_age = 0.3;  // s; likewise joint states that are older than the picture
   // s; a goal that was not repeated for longer in the joint states' time has lost its sender. It is repeated every 0.2
   // s and bears the time of a picture, which may be pose_age old and come at intervals of up to 0.2 s.
   double goal_age = 0.6;
-  double follow_lead = 0.7;     // rad; a command farther ahead of the arm waits: 0.4 s at full speed and some play
   double lost_arm = 0.052;      // rad (3 degrees); an arm that rests so far from its command is taken where it is
   double hand_mismatch = 0.04;  // m between the hand mark and where the joints say it is: another thing was seen
-  double slow_down_factor =
-      0.4;  // of the last step, per 1/30 s, once the arm must wait; never runs past a goal (gain 0.6)
-  double slow_down_time = 0.12;  // s after which it stands
 };
 
 // All memory between messages.
@@ -49,18 +47,12 @@ struct State {
   std::string goal_refusal;  // why the goal cannot be followed at all
   std::string dropped;       // why the last goal was dropped, until the next one
 
-  bool commanded = false;
-  bool adopt_joints = false;  // the command no longer belongs to this arm's state
-  Command command;
-  std::int64_t command_utime = 0;  // us, joints' clock, when command.position last changed
-  std::int64_t gripper_utime = 0;  // us, likewise command.gripper_opening
-  GripperWatch gripper;
+  ArmCommand command;
+  GripperCommand gripper;
 
   std::int64_t pose_utime = 0;
   std::int64_t frame_session = 0;
-  double seconds = 1.0 / 30.0;                  // frame interval
-  JointVector last_step = JointVector::Zero();  // rad, zero when it may be broken off at once
-  double waiting = 0.0;                         // s since the motion was interrupted
+  double seconds = 1.0 / 30.0;  // frame interval
   StillTarget target;
   SightState sight;
   int paper_frames = 0;  // in a row within tolerance, by the paper's law
@@ -88,25 +80,20 @@ class ServoStateMachine {
  private:
   void advance_time(const PoseSample& pose, State& state) const;
   void adopt_joints(State& state) const;
-  void adopt_gripper(State& state) const;
   std::string why_stale(const PoseSample& pose, const State& state) const;
   std::string why_goal_is_stale(const State& state) const;
   void follow_goal(const PoseSample& pose, State& state, Status& status) const;
-  void hold(State& state) const { state.last_step.setZero(); }
   void slow_down(State& state) const;
-  void move(const JointVector& step, bool at_once, bool streaming, State& state, Status& status) const;
+  void move(const ArmStep& step, State& state, Status& status) const;
   void move_to_posture(State& state, Status& status) const;
   void servo(const PoseSample& pose, State& state, Status& status) const;
   void servo_resolved_rate(const PoseSample& pose, const MarkSample& hand, State& state, Status& status) const;
   void servo_paper(const PoseSample& pose, const MarkSample& hand, State& state, Status& status) const;
-  void set_gripper(const Goal& goal, State& state) const;
-  void set_opening(double opening, State& state) const;
   double grip_speed_limit(const Goal& goal) const;
 
   robot::RobotDescription robot_;
   robot::ArmDescription arm_;
   std::string hand_name_;
-  JointVector servo_speed_;  // rad/s, the servos' own
   Parameters parameters_;
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "services/visual-servo/laws/resolved_rate.hpp"
+#include "services/visual-servo/arm/joint_limits.hpp"
 
 namespace markservo::visual_servo {
 

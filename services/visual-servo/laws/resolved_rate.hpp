@@ -21,9 +21,6 @@ struct ResolvedRateParameters {
 // vector formulations and damped least-squares methods", IEEE Trans. SMC 16(1), 1986).
 robot::JointVector damped_joint_step(const Eigen::Matrix3d& jacobian, const Eigen::Vector3d& grip_step, double damping);
 
-// `q` brought inside the joint limits, rad.
-robot::JointVector inside_limits(const robot::ArmDescription& arm, const robot::JointVector& q);
-
 // The next joint step (rad) of a grip point that still has `to_go` (m, in C) ahead, from the commanded posture
 // `q_command`. `seconds`: frame interval; `grip_speed`: limit, m/s; `speed_before`: the grip point's last speed, m/s.
 // Limits shorten the step and keep its direction.

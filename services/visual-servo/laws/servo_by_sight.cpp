@@ -18,21 +18,26 @@ struct Frame {
   const SightParameters& parameters;
   const Sight& sight;
   const JointHistory& joints;
-  const JointVector& q_command;
-  std::int64_t command_utime;
-  Eigen::Vector3d p_CG;  // m, seen
-  double tolerance;      // m
+  const ArmCommand& command;
+  const JointVector& q_command;  // rad
+  Eigen::Vector3d p_CG;          // m, seen
+  double tolerance;              // m
 };
 
 bool rests(const Frame& frame, std::int64_t utime) {
-  const auto since = at_rest_since(frame.parameters.settling, frame.joints, frame.q_command, frame.command_utime);
-  return since && seconds_between(*since, utime) >= frame.parameters.settling.settle_time;
+  return frame.command.settled_at(frame.parameters.settling, frame.joints, utime);
+}
+
+// The grip point's in the last step, m/s.
+double speed_before(const Frame& frame) {
+  return (robot::grip_point_jacobian(frame.arm, frame.q_command) * frame.command.last_step()).norm() /
+         frame.sight.seconds;
 }
 
 // Two moves in the ending directions, a frame apart: to the last but one posture, and home.
 void enter(const JointVector& q_goal, const Frame& frame, SightState& state, SightAnswer& answer) {
-  answer.step = last_but_one(frame.parameters.one_sided, frame.q_command, q_goal, state.directions) - frame.q_command;
-  answer.at_once = true;
+  answer.step.change =
+      last_but_one(frame.parameters.one_sided, frame.q_command, q_goal, state.directions) - frame.q_command;
   state.final = q_goal;
   state.phase = Phase::kEnter;
 }
@@ -49,8 +54,7 @@ void refine_entry(const Frame& frame, SightState& state) {
 
 void finish_entry(const Frame& frame, SightState& state, SightAnswer& answer) {
   if (state.corrections == 0) refine_entry(frame, state);
-  answer.step = state.final - frame.q_command;
-  answer.at_once = true;
+  answer.step.change = state.final - frame.q_command;
   state.window.clear();
   state.phase = Phase::kSettle;
 }
@@ -79,9 +83,9 @@ void approach(const Frame& frame, SightState& state, SightAnswer& answer) {
     enter(q_goal, frame, state, answer);
     return;
   }
-  answer.step = resolved_rate_step(frame.arm, parameters.rate, frame.q_command, to_go, frame.sight.seconds,
-                                   frame.sight.grip_speed, frame.sight.speed_before);
-  answer.streaming = true;
+  answer.step.change = resolved_rate_step(frame.arm, parameters.rate, frame.q_command, to_go, frame.sight.seconds,
+                                          frame.sight.grip_speed, speed_before(frame));
+  answer.step.streaming = true;
 }
 
 void correct(const Frame& frame, const Eigen::Vector3d& error, SightState& state, SightAnswer& answer) {
@@ -94,7 +98,8 @@ void correct(const Frame& frame, const Eigen::Vector3d& error, SightState& state
     enter(correction.final, frame, state, answer);
     return;
   }
-  answer.step = correction.via - frame.q_command;
+  answer.step.change = correction.via - frame.q_command;
+  answer.step.joint_speed = frame.parameters.rate.joint_speed;
   state.final = correction.final;
   state.phase = Phase::kBackOff;
 }
@@ -154,14 +159,14 @@ void stay_converged(const Frame& frame, SightState& state, SightAnswer& answer) 
 }  // namespace
 
 SightAnswer servo_by_sight(const robot::ArmDescription& arm, const SightParameters& parameters, const Sight& sight,
-                           const JointHistory& joints, const JointVector& q_command, std::int64_t command_utime,
-                           SightState& state) {
+                           const JointHistory& joints, const ArmCommand& command, SightState& state) {
+  const JointVector& q_command = command.position();
   const Frame frame{arm,
                     parameters,
                     sight,
                     joints,
+                    command,
                     q_command,
-                    command_utime,
                     seen_grip_point(arm, sight.q_exposure, sight.p_CM),
                     sight.tolerance > 0.0 ? sight.tolerance : parameters.tolerance};
   state.bias.see(arm, parameters.bias, sight.q_exposure, speed_at(joints, sight.utime), sight.p_CM);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 
+#include "services/visual-servo/arm/arm_command.hpp"
 #include "services/visual-servo/arm/joint_history.hpp"
 #include "services/visual-servo/arm/settling.hpp"
 #include "services/visual-servo/laws/one_sided_approach.hpp"
@@ -46,7 +47,6 @@ struct Sight {
   Eigen::Vector3d p_CG_goal = Eigen::Vector3d::Zero();  // m, wanted grip point
   double tolerance = 0.0;                               // m, 0: the parameters'
   double grip_speed = 0.0;                              // m/s, limit, above 0
-  double speed_before = 0.0;                            // m/s of the grip point in the last step
 };
 
 struct SightState {
@@ -60,9 +60,7 @@ struct SightState {
 };
 
 struct SightAnswer {
-  JointVector step = JointVector::Zero();  // rad, change of the commanded posture
-  bool at_once = false;                    // the step is to be made at the servos' full speed
-  bool streaming = false;                  // the step is one of many: slow down gently if the next cannot follow
+  ArmStep step;
   bool converged = false;
   bool settled = false;
   int frames = 1;                                   // behind `error`
@@ -70,9 +68,8 @@ struct SightAnswer {
   std::string unreachable;                          // why; empty when it can be reached
 };
 
-// One frame. `q_command` is commanded since `command_utime` (joints' clock).
+// One frame.
 SightAnswer servo_by_sight(const robot::ArmDescription& arm, const SightParameters& parameters, const Sight& sight,
-                           const JointHistory& joints, const JointVector& q_command, std::int64_t command_utime,
-                           SightState& state);
+                           const JointHistory& joints, const ArmCommand& command, SightState& state);
 
 }  // namespace markservo::visual_servo
