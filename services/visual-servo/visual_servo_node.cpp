@@ -114,7 +114,7 @@ void VisualServoNode::on_joints(const JointState& joints) {
 
 void VisualServoNode::on_goal(const ServoGoal& goal) {
   if (machine_->observe(goal_of(goal), state_) == motion::GoalHeard::kContested) {
-    arm_->raise(state_.goals.two());
+    arm_->raise(state_.followed.inbox().two());
   }
   after_input();
 }
@@ -143,7 +143,7 @@ void VisualServoNode::on_pose(const TargetPose& pose) {
 
 // What two that claim to be one lead to.
 void VisualServoNode::after_input() {
-  state_.blocked = arm_->blocked();
+  state_.permit.block(arm_->blocked());
   if (const auto wish = arm_->stop_due()) {
     StopRequest stop = messages::stop_request(*wish, arm_->now(), bus_->session(), "visual-servo");
     stops_->publish(stop);
@@ -151,7 +151,7 @@ void VisualServoNode::after_input() {
 }
 
 void VisualServoNode::tell(const Status& status) {
-  const std::string others = motion::notice(*arm_, state_.goals, parameters_.goal_age);
+  const std::string others = motion::notice(*arm_, state_.followed.inbox(), parameters_.goal_age);
   if (told_ == status.state && told_notice_ == others) return;  // reasons may hold numbers that change with every frame
   told_ = status.state;
   told_notice_ = others;

@@ -14,14 +14,6 @@
 #include "services/visual-servo/sight/mark_lookup.hpp"
 
 namespace markservo::visual_servo {
-namespace {
-
-constexpr double kNominalFrame_s = 1.0 / 30.0;
-constexpr double kShortestFrame_s = 1.0 / 120.0;
-constexpr double kLongestFrame_s = 0.1;  // a longer gap must not become a longer step
-constexpr double kStands_s = 0.3;        // without a command, by then the arm stands: nothing is left to slow down from
-
-}  // namespace
 
 ServoStateMachine::ServoStateMachine(robot::RobotDescription robot, Parameters parameters)
     : robot_(std::move(robot)), parameters_(parameters) {
@@ -40,26 +32,17 @@ bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
   if (!sample.position.allFinite() || !std::isfinite(sample.gripper_opening)) return false;
   const bool first = state.joints.empty();
   if (state.joints.add(sample, servo_speeds(arm_))) state.command.require_adoption();
-  // A goal that came before any time did is judged now, so that none waits for its hour.
-  if (first && state.goals.end_unless_fresh(sample.utime, parameters_.goal_age)) {
-    state.dropped = "the goal heard before the first JOINT_STATE is of another time: it was dropped";
-    state.goal.reset();
-  }
-  const bool obeying = state.command.begun() && !state.command.adoption_due() && !state.stop_latched.value_or(true);
+  if (first) state.followed.judge_by_first_time(sample.utime, parameters_.goal_age);
+  const bool obeying = state.command.begun() && !state.command.adoption_due() && state.permit.released();
   state.gripper.observe(sample, obeying);
   return true;
 }
 
 motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) const {
   const std::int64_t now = state.joints.empty() ? 0 : state.joints.newest().utime;
-  const bool latched = state.stop_latched.value_or(false);
-  const auto heard = state.goals.hear({goal.session, goal.id, goal.utime}, now, parameters_.goal_age, latched);
-  if (!state.goals.goal()) state.goal.reset();
-  if (heard == motion::GoalHeard::kAgain) state.goal->utime = state.goals.goal()->utime;
+  const auto heard = state.followed.observe(goal, now, parameters_.goal_age, state.permit.latched());
   if (heard != motion::GoalHeard::kNew) return heard;
-  state.goal = goal;
-  state.goal_refusal = why_goal_is_refused(robot_, goal);
-  state.dropped.clear();
+  state.followed.refuse(why_goal_is_refused(robot_, goal));
   state.target.forget();
   state.sight = SightState();
   state.paper_frames = 0;
@@ -67,36 +50,29 @@ motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) con
 }
 
 void ServoStateMachine::observe_stop(bool latched, const std::string& reason, State& state) const {
-  const bool was_latched = state.stop_latched.value_or(false);
-  state.stop_latched = latched;
-  state.stop_reason = reason;
   // Even if the reset comes before the next picture: what was commanded before the stop must not be resumed.
-  if (latched || was_latched) state.command.require_adoption();
-  if (!latched) return;
-  state.goals.end();
-  state.goal.reset();
+  if (latched || state.permit.latched()) state.command.require_adoption();
+  state.permit.observe_stop(latched, reason);
+  if (latched) state.followed.end();
 }
 
 void ServoStateMachine::begin_anew(const std::string& why, State& state) const {
   state.joints.forget();
   state.command.require_adoption();
-  if (state.goal) state.dropped = why + ": the goal was dropped";
-  state.goals.end();
-  state.goal.reset();
-  begin_pictures_anew(state);
+  state.followed.drop(why);
+  state.pictures.begin_anew();
 }
 
 void ServoStateMachine::begin_pictures_anew(State& state) const {
-  state.frame_session = 0;
-  state.pose_utime = 0;
+  state.pictures.begin_anew();
 }
 
 Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
   Output output;
   Status& status = output.status;
-  if (state.goal) {
-    status.goal_session = state.goal->session;
-    status.goal_id = state.goal->id;
+  if (const auto& goal = state.followed.goal()) {
+    status.goal_session = goal->session;
+    status.goal_id = goal->id;
   }
   if (state.joints.empty()) {
     status.state = ServoState::kStale;
@@ -108,23 +84,23 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
   // One picture with an impossible time must not make all that follow look old.
   if (stale.empty()) advance_time(pose, state);
 
-  if (!state.blocked.empty()) {
+  if (!state.permit.blocked().empty()) {
     state.command.hold();
     status.state = ServoState::kStopped;
-    status.reason = state.blocked;
-  } else if (!state.stop_latched || *state.stop_latched) {
+    status.reason = state.permit.blocked();
+  } else if (!state.permit.released()) {
     state.command.hold();
     // A stopped arm rests short of its command: begin from there.
     if (state.joints.newest().position != state.command.position()) adopt_joints(state);
     state.gripper.adopt(arm_.gripper, state.joints.newest());
     status.state = ServoState::kStopped;
-    status.reason = !state.stop_latched ? "no STOP_STATE of the arm yet" : state.stop_reason;
-    if (status.reason.empty()) status.reason = "STOP is latched";
+    status.reason = state.permit.why_stopped();
   } else if (!stale.empty()) {
     state.command.hold();
     status.state = ServoState::kStale;
     status.reason = stale;
-  } else if (const std::string goal_stale = why_goal_is_stale(state); !goal_stale.empty()) {
+  } else if (const std::string goal_stale = state.followed.why_stale(state.joints.newest().utime, parameters_.goal_age);
+             !goal_stale.empty()) {
     state.sight.window.clear();
     state.paper_frames = 0;
     slow_down(state);
@@ -139,16 +115,16 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
 }
 
 void ServoStateMachine::advance_time(const PoseSample& pose, State& state) const {
-  if (pose.frame_session != state.frame_session) {
-    state.frame_session = pose.frame_session;
-    state.seconds = kNominalFrame_s;
-    state.target.forget();
-    state.sight = SightState();
-    state.pose_utime = pose.utime;
-  } else if (pose.utime > state.pose_utime) {
-    if (seconds_between(state.pose_utime, pose.utime) > kStands_s) state.command.hold();
-    state.seconds = std::clamp(seconds_between(state.pose_utime, pose.utime), kShortestFrame_s, kLongestFrame_s);
-    state.pose_utime = pose.utime;
+  switch (state.pictures.advance(pose)) {
+    case Succession::kOfAnotherWriter:
+      state.target.forget();
+      state.sight = SightState();
+      break;
+    case Succession::kAfterAGap:
+      state.command.hold();
+      break;
+    case Succession::kNext:
+      break;
   }
 }
 
@@ -163,16 +139,7 @@ std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& st
   if (!pose.doubt.empty()) return pose.doubt;
   const motion::Freshness rule{"TARGET_POSE", "JOINT_STATE", parameters_.pose_age, parameters_.joint_age};
   if (auto why = why_not_fresh(rule, pose.utime, state.joints.newest().utime); !why.empty()) return why;
-  if (pose.frame_session == state.frame_session && pose.utime <= state.pose_utime) {
-    return "TARGET_POSE is not newer than the one before";
-  }
-  return "";
-}
-
-std::string ServoStateMachine::why_goal_is_stale(const State& state) const {
-  if (!state.goal) return "";
-  const motion::Freshness rule{"SERVO_GOAL", "JOINT_STATE", parameters_.goal_age, parameters_.goal_age};
-  return why_not_fresh(rule, state.goal->utime, state.joints.newest().utime);
+  return state.pictures.has_passed(pose) ? "TARGET_POSE is not newer than the one before" : "";
 }
 
 void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status& status) const {
@@ -181,16 +148,16 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
   const bool elsewhere = (now.position - state.command.position()).cwiseAbs().maxCoeff() > parameters_.lost_arm;
   if (elsewhere && state.command.at_rest_since(settling, state.joints)) adopt_joints(state);
   status.settled = state.command.at_rest_since(settling, state.joints).has_value();
-  if (!state.goal) {
+  if (!state.followed.goal()) {
     status.state = ServoState::kHold;
-    status.reason = state.dropped.empty() ? "no goal" : state.dropped;
+    status.reason = state.followed.why_none();
     slow_down(state);
     return;
   }
-  const Goal& goal = *state.goal;
-  if (!state.goal_refusal.empty()) {
+  const Goal& goal = *state.followed.goal();
+  if (!state.followed.refusal().empty()) {
     status.state = ServoState::kUnreachable;
-    status.reason = state.goal_refusal;
+    status.reason = state.followed.refusal();
     slow_down(state);
     return;
   }
@@ -211,20 +178,20 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
 }
 
 void ServoStateMachine::slow_down(State& state) const {
-  state.command.slow_down(arm_, parameters_.command, state.joints.newest().utime, state.seconds);
+  state.command.slow_down(arm_, parameters_.command, state.joints.newest().utime, state.pictures.seconds());
 }
 
 void ServoStateMachine::move(const ArmStep& step, State& state, Status& status) const {
-  status.reason = state.command.move(arm_, parameters_.command, step, state.joints.newest(), state.seconds);
+  status.reason = state.command.move(arm_, parameters_.command, step, state.joints.newest(), state.pictures.seconds());
 }
 
 void ServoStateMachine::move_to_posture(State& state, Status& status) const {
-  const Goal& goal = *state.goal;
+  const Goal& goal = *state.followed.goal();
   const JointVector q_goal(goal.position[0], goal.position[1], goal.position[2]);
   status.state = ServoState::kPosture;
-  const double speed_before = state.command.last_step().cwiseAbs().maxCoeff() / state.seconds;
-  const JointVector step = posture_step(arm_, parameters_.posture, state.command.position(), q_goal, state.seconds,
-                                        grip_speed_limit(goal), speed_before);
+  const double speed_before = state.command.last_step().cwiseAbs().maxCoeff() / state.pictures.seconds();
+  const JointVector step = posture_step(arm_, parameters_.posture, state.command.position(), q_goal,
+                                        state.pictures.seconds(), grip_speed_limit(goal), speed_before);
   move({step, true}, state, status);
   if (step.isZero()) state.command.hold();
   status.settled =
@@ -232,7 +199,7 @@ void ServoStateMachine::move_to_posture(State& state, Status& status) const {
 }
 
 void ServoStateMachine::servo(const PoseSample& pose, State& state, Status& status) const {
-  const Goal& goal = *state.goal;
+  const Goal& goal = *state.followed.goal();
   const MarkSample* hand = find(pose, hand_name_);
   const MarkSample* target = find(pose, goal.target);
   status.state = ServoState::kLost;
@@ -265,10 +232,10 @@ void ServoStateMachine::servo(const PoseSample& pose, State& state, Status& stat
 
 void ServoStateMachine::servo_resolved_rate(const PoseSample& pose, const MarkSample& hand, State& state,
                                             Status& status) const {
-  const Goal& goal = *state.goal;
+  const Goal& goal = *state.followed.goal();
   Sight sight;
   sight.utime = pose.utime;
-  sight.seconds = state.seconds;
+  sight.seconds = state.pictures.seconds();
   sight.q_exposure = state.joints.at(pose.utime);
   sight.p_CM = hand.p_C;
   sight.p_CG_goal = state.target.position() + goal.p_TG_C;
@@ -290,7 +257,7 @@ void ServoStateMachine::servo_resolved_rate(const PoseSample& pose, const MarkSa
 
 void ServoStateMachine::servo_paper(const PoseSample& pose, const MarkSample& hand, State& state,
                                     Status& status) const {
-  const Goal& goal = *state.goal;
+  const Goal& goal = *state.followed.goal();
   const SightParameters& parameters = parameters_.sight;
   const Eigen::Vector3d p_CG_goal = state.target.position() + goal.p_TG_C;
   const Eigen::Vector3d p_CG = seen_grip_point(arm_, state.joints.at(pose.utime), hand.p_C);
@@ -315,7 +282,7 @@ void ServoStateMachine::servo_paper(const PoseSample& pose, const MarkSample& ha
   status.settled = there;
   JointVector step = JointVector::Zero();
   if (!there) {
-    step = paper_step(*robot_.paper_law, error, state.seconds, parameters.rate.joint_speed);
+    step = paper_step(*robot_.paper_law, error, state.pictures.seconds(), parameters.rate.joint_speed);
     step = inside_limits(arm_, state.command.position() + step) - state.command.position();
   }
   move({step, !there}, state, status);

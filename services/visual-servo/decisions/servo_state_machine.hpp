@@ -3,14 +3,15 @@
 // The servo's core: goals, joint states and stop states are observed as they come; every TARGET_POSE yields one joint
 // command and one status. No clock but the messages'.
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
 #include "common/motion/goal_inbox.hpp"
 #include "services/visual-servo/arm/arm_command.hpp"
 #include "services/visual-servo/arm/gripper_command.hpp"
 #include "services/visual-servo/arm/joint_history.hpp"
+#include "services/visual-servo/decisions/followed_goal.hpp"
+#include "services/visual-servo/decisions/motion_permit.hpp"
+#include "services/visual-servo/decisions/picture_clock.hpp"
 #include "services/visual-servo/laws/posture_motion.hpp"
 #include "services/visual-servo/laws/servo_by_sight.hpp"
 #include "services/visual-servo/servo_types.hpp"
@@ -38,21 +39,11 @@ struct Parameters {
 // All memory between messages.
 struct State {
   JointHistory joints;
-  std::optional<bool> stop_latched;  // nothing before the arm's first STOP_STATE
-  std::string stop_reason;
-  std::string blocked;  // why nothing may move though no stop is latched; empty when nothing speaks against it
-
-  motion::GoalInbox goals{"SERVO_GOAL"};
-  std::optional<Goal> goal;  // what goals.goal() asks for
-  std::string goal_refusal;  // why the goal cannot be followed at all
-  std::string dropped;       // why the last goal was dropped, until the next one
-
+  MotionPermit permit;
+  FollowedGoal followed;
+  PictureClock pictures;
   ArmCommand command;
   GripperCommand gripper;
-
-  std::int64_t pose_utime = 0;
-  std::int64_t frame_session = 0;
-  double seconds = 1.0 / 30.0;  // frame interval
   StillTarget target;
   SightState sight;
   int paper_frames = 0;  // in a row within tolerance, by the paper's law
@@ -81,7 +72,6 @@ class ServoStateMachine {
   void advance_time(const PoseSample& pose, State& state) const;
   void adopt_joints(State& state) const;
   std::string why_stale(const PoseSample& pose, const State& state) const;
-  std::string why_goal_is_stale(const State& state) const;
   void follow_goal(const PoseSample& pose, State& state, Status& status) const;
   void slow_down(State& state) const;
   void move(const ArmStep& step, State& state, Status& status) const;

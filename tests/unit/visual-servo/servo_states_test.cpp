@@ -210,7 +210,7 @@ TEST_F(ServoStates, HoldSlowsDownAndStays) {
 TEST_F(ServoStates, AnOlderGoalOfTheSameSessionIsPassedOver) {
   machine_.observe(servo_goal(4), state_);
   EXPECT_EQ(machine_.observe(servo_goal(3), state_), motion::GoalHeard::kEnded);
-  EXPECT_EQ(state_.goal->id, 4);
+  EXPECT_EQ(state_.followed.goal()->id, 4);
 }
 
 TEST_F(ServoStates, ATargetThatIsMovedAwayIsFollowed) {
