@@ -52,12 +52,13 @@ void VisualServoNode::add_options(CLI::App& app) {
          0.05);
   count("--settled-frames", sight.settling.frames, "Averaged at rest", 1, 30);
   number("--settle-time", sight.settling.settle_time, "From the ramps' end to rest, s", 0.0, 2.0);
-  count("--target-frames", parameters_.target.frames, "Averaged over a target that stands still, at most", 1, 1000);
+  count("--target-frames", parameters_.marks.target.frames, "Averaged over a target that stands still, at most", 1,
+        1000);
   number("--pose-age", parameters_.pose_age, "Older pictures are not acted on, s", 0.02, 2.0);
   number("--joint-age", parameters_.joint_age, "Older joint states are not acted on, s", 0.02, 2.0);
   number("--goal-age", parameters_.goal_age, "A goal not repeated for longer is not followed, s", 0.25, 5.0);
-  number("--hand-mismatch", parameters_.hand_mismatch, "Most between the hand mark and the joints' word, m", 0.001,
-         1.0);
+  number("--hand-mismatch", parameters_.marks.hand_mismatch, "Most between the hand mark and the joints' word, m",
+         0.001, 1.0);
 }
 
 void VisualServoNode::configure(const std::string& robot_file) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -11,7 +10,6 @@
 #include "services/visual-servo/arm/joint_limits.hpp"
 #include "services/visual-servo/laws/paper_law.hpp"
 #include "services/visual-servo/sight/in_flight.hpp"
-#include "services/visual-servo/sight/mark_lookup.hpp"
 
 namespace markservo::visual_servo {
 
@@ -43,7 +41,7 @@ motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) con
   const auto heard = state.followed.observe(goal, now, parameters_.goal_age, state.permit.latched());
   if (heard != motion::GoalHeard::kNew) return heard;
   state.followed.refuse(why_goal_is_refused(robot_, goal));
-  state.target.forget();
+  state.marks.forget();
   state.sight = SightState();
   state.paper_frames = 0;
   return heard;
@@ -117,7 +115,7 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
 void ServoStateMachine::advance_time(const PoseSample& pose, State& state) const {
   switch (state.pictures.advance(pose)) {
     case Succession::kOfAnotherWriter:
-      state.target.forget();
+      state.marks.forget();
       state.sight = SightState();
       break;
     case Succession::kAfterAGap:
@@ -200,50 +198,36 @@ void ServoStateMachine::move_to_posture(State& state, Status& status) const {
 
 void ServoStateMachine::servo(const PoseSample& pose, State& state, Status& status) const {
   const Goal& goal = *state.followed.goal();
-  const MarkSample* hand = find(pose, hand_name_);
-  const MarkSample* target = find(pose, goal.target);
-  status.state = ServoState::kLost;
+  const Sighting sighting =
+      state.marks.see(parameters_.marks, arm_, pose, state.joints.at(pose.utime), hand_name_, goal.target);
   status.settled = false;
-  status.reason = why_lost(target, goal.target);
-  if (status.reason.empty()) {
-    state.target.see(parameters_.target, target->p_C, target->covariance);
-    status.reason = why_lost(hand, hand_name_);
-  }
-  if (status.reason.empty()) {
-    const double mismatch = kinematic_bias(arm_, state.joints.at(pose.utime), hand->p_C).norm();
-    if (mismatch > parameters_.hand_mismatch) {
-      char text[128];
-      std::snprintf(text, sizeof text, "mark %s: %.3f m from where the joints say it is, allowed %.3f m",
-                    hand_name_.c_str(), mismatch, parameters_.hand_mismatch);
-      status.reason = text;
-    }
-  }
-  if (!status.reason.empty()) {
+  if (!sighting.lost.empty()) {
+    status.state = ServoState::kLost;
+    status.reason = sighting.lost;
     state.sight.window.clear();
     slow_down(state);
     return;
   }
   if (parameters_.law == Law::kPaper) {
-    servo_paper(pose, *hand, state, status);
+    servo_paper(sighting, state, status);
   } else {
-    servo_resolved_rate(pose, *hand, state, status);
+    servo_resolved_rate(sighting, state, status);
   }
 }
 
-void ServoStateMachine::servo_resolved_rate(const PoseSample& pose, const MarkSample& hand, State& state,
-                                            Status& status) const {
+void ServoStateMachine::servo_resolved_rate(const Sighting& sighting, State& state, Status& status) const {
   const Goal& goal = *state.followed.goal();
   Sight sight;
-  sight.utime = pose.utime;
+  sight.utime = sighting.utime;
   sight.seconds = state.pictures.seconds();
-  sight.q_exposure = state.joints.at(pose.utime);
-  sight.p_CM = hand.p_C;
-  sight.p_CG_goal = state.target.position() + goal.p_TG_C;
+  sight.q_exposure = sighting.q_exposure;
+  sight.p_CM = sighting.p_CM;
+  sight.p_CG_goal = sighting.p_CT + goal.p_TG_C;
   sight.tolerance = goal.tolerance;
   sight.grip_speed = grip_speed_limit(goal);
   const SightAnswer answer = servo_by_sight(arm_, parameters_.sight, sight, state.joints, state.command, state.sight);
   status.error = answer.error;
-  status.covariance = state.target.covariance() + hand.covariance / answer.frames;
+  status.covariance = sighting.target_covariance + sighting.hand_covariance / answer.frames;
   status.settled = answer.settled;
   status.reason = answer.unreachable;
   if (!answer.unreachable.empty()) {
@@ -255,17 +239,16 @@ void ServoStateMachine::servo_resolved_rate(const PoseSample& pose, const MarkSa
   move(answer.step, state, status);
 }
 
-void ServoStateMachine::servo_paper(const PoseSample& pose, const MarkSample& hand, State& state,
-                                    Status& status) const {
+void ServoStateMachine::servo_paper(const Sighting& sighting, State& state, Status& status) const {
   const Goal& goal = *state.followed.goal();
   const SightParameters& parameters = parameters_.sight;
-  const Eigen::Vector3d p_CG_goal = state.target.position() + goal.p_TG_C;
-  const Eigen::Vector3d p_CG = seen_grip_point(arm_, state.joints.at(pose.utime), hand.p_C);
+  const Eigen::Vector3d p_CG_goal = sighting.p_CT + goal.p_TG_C;
+  const Eigen::Vector3d p_CG = seen_grip_point(arm_, sighting.q_exposure, sighting.p_CM);
   status.error = p_CG - p_CG_goal;
-  status.covariance = state.target.covariance() + hand.covariance;
+  status.covariance = sighting.target_covariance + sighting.hand_covariance;
 
   JointVector q_goal;
-  const Eigen::Vector3d bias = kinematic_bias(arm_, state.joints.at(pose.utime), hand.p_C);
+  const Eigen::Vector3d bias = kinematic_bias(arm_, sighting.q_exposure, sighting.p_CM);
   status.reason = why_unreachable(arm_, p_CG_goal - bias, parameters.joint_margin, q_goal);
   if (!status.reason.empty()) {
     status.state = ServoState::kUnreachable;
@@ -274,7 +257,7 @@ void ServoStateMachine::servo_paper(const PoseSample& pose, const MarkSample& ha
   }
   const auto* mark = robot_.find_mark(goal.target);
   const Eigen::Vector3d usual = mark->grip ? mark->grip->p_TG : goal.p_TG_C;
-  const Eigen::Vector3d error = paper_error(*robot_.paper_law, hand.p_C, state.target.position(), goal.p_TG_C - usual);
+  const Eigen::Vector3d error = paper_error(*robot_.paper_law, sighting.p_CM, sighting.p_CT, goal.p_TG_C - usual);
   const double tolerance = goal.tolerance > 0.0 ? goal.tolerance : parameters.tolerance;
   state.paper_frames = error.norm() <= tolerance ? state.paper_frames + 1 : 0;
   const bool there = state.paper_frames >= parameters.settling.frames;

@@ -15,7 +15,7 @@
 #include "services/visual-servo/laws/posture_motion.hpp"
 #include "services/visual-servo/laws/servo_by_sight.hpp"
 #include "services/visual-servo/servo_types.hpp"
-#include "services/visual-servo/sight/still_target.hpp"
+#include "services/visual-servo/sight/hand_and_target.hpp"
 
 namespace markservo::visual_servo {
 
@@ -25,15 +25,14 @@ struct Parameters {
   Law law = Law::kResolvedRate;
   SightParameters sight;
   PostureMotionParameters posture;
-  StillTargetParameters target;
+  HandAndTargetParameters marks;
   ArmCommandParameters command;
   double pose_age = 0.2;   // s; a picture that is older than the joint states by more is not acted on
   double joint_age = 0.3;  // s; likewise joint states that are older than the picture
   // s; a goal that was not repeated for longer in the joint states' time has lost its sender. It is repeated every 0.2
   // s and bears the time of a picture, which may be pose_age old and come at intervals of up to 0.2 s.
   double goal_age = 0.6;
-  double lost_arm = 0.052;      // rad (3 degrees); an arm that rests so far from its command is taken where it is
-  double hand_mismatch = 0.04;  // m between the hand mark and where the joints say it is: another thing was seen
+  double lost_arm = 0.052;  // rad (3 degrees); an arm that rests so far from its command is taken where it is
 };
 
 // All memory between messages.
@@ -44,7 +43,7 @@ struct State {
   PictureClock pictures;
   ArmCommand command;
   GripperCommand gripper;
-  StillTarget target;
+  HandAndTarget marks;
   SightState sight;
   int paper_frames = 0;  // in a row within tolerance, by the paper's law
 };
@@ -77,8 +76,8 @@ class ServoStateMachine {
   void move(const ArmStep& step, State& state, Status& status) const;
   void move_to_posture(State& state, Status& status) const;
   void servo(const PoseSample& pose, State& state, Status& status) const;
-  void servo_resolved_rate(const PoseSample& pose, const MarkSample& hand, State& state, Status& status) const;
-  void servo_paper(const PoseSample& pose, const MarkSample& hand, State& state, Status& status) const;
+  void servo_resolved_rate(const Sighting& sighting, State& state, Status& status) const;
+  void servo_paper(const Sighting& sighting, State& state, Status& status) const;
   double grip_speed_limit(const Goal& goal) const;
 
   robot::RobotDescription robot_;
