@@ -44,9 +44,10 @@ void VisualServoNode::add_options(CLI::App& app) {
   number("--posture-speed", parameters_.posture.joint_speed, "Limit of the joints towards a posture, rad/s", 0.05,
          10.0);
   number("--posture-acceleration", parameters_.posture.joint_acceleration, "Towards a posture, rad/s^2", 0.1, 100.0);
-  number("--tolerance", sight.tolerance, "Converged within, m, for goals that state none", 0.0002, 0.05);
-  number("--fine-tolerance", sight.fine_tolerance, "Aimed at while corrections help, m", 0.0001, 0.05);
-  count("--fine-corrections", sight.fine_corrections, "Corrections after which the goal's tolerance will do", 0, 100);
+  number("--tolerance", sight.convergence.tolerance, "Converged within, m, for goals that state none", 0.0002, 0.05);
+  number("--fine-tolerance", sight.convergence.fine_tolerance, "Aimed at while corrections help, m", 0.0001, 0.05);
+  count("--fine-corrections", sight.convergence.fine_corrections,
+        "Corrections after which the goal's tolerance will do", 0, 100);
   number("--back-off", sight.one_sided.back_off, "Against backlash, rad of each joint", 0.0, 0.1);
   number("--last-move", sight.one_sided.last_move, "Into the goal, rad: above a servo's deadband by a quarter", 0.0,
          0.05);

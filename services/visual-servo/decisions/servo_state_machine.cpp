@@ -9,9 +9,24 @@
 #include "services/visual-servo/arm/goal_check.hpp"
 #include "services/visual-servo/arm/joint_limits.hpp"
 #include "services/visual-servo/laws/paper_law.hpp"
-#include "services/visual-servo/sight/in_flight.hpp"
 
 namespace markservo::visual_servo {
+namespace {
+
+std::unique_ptr<const ServoLaw> law_of(const robot::RobotDescription& robot, const Parameters& parameters) {
+  const SightParameters& sight = parameters.sight;
+  if (parameters.law == Law::kResolvedRate) return std::make_unique<ServoBySight>(*robot.arm, sight);
+  const PaperParameters paper{sight.convergence.tolerance, sight.settling.frames, sight.rate.joint_speed,
+                              sight.joint_margin};
+  return std::make_unique<PaperLaw>(robot, paper);
+}
+
+void decide(ServoState state, const std::string& reason, Status& status) {
+  status.state = state;
+  status.reason = reason;
+}
+
+}  // namespace
 
 ServoStateMachine::ServoStateMachine(robot::RobotDescription robot, Parameters parameters)
     : robot_(std::move(robot)), parameters_(parameters) {
@@ -21,9 +36,7 @@ ServoStateMachine::ServoStateMachine(robot::RobotDescription robot, Parameters p
     if (mark.role == robot::MarkRole::kManipulator) hand_name_ = mark.name;
   }
   if (hand_name_.empty()) throw std::invalid_argument("visual-servo: robot.yaml has no mark of role manipulator");
-  if (parameters_.law == Law::kPaper && !robot_.paper_law) {
-    throw std::invalid_argument("visual-servo: robot.yaml has no paper_law, needed by law 'paper'");
-  }
+  law_ = law_of(robot_, parameters_);
 }
 
 bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
@@ -42,8 +55,7 @@ motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) con
   if (heard != motion::GoalHeard::kNew) return heard;
   state.followed.refuse(why_goal_is_refused(robot_, goal));
   state.marks.forget();
-  state.sight = SightState();
-  state.paper_frames = 0;
+  state.law.forget();
   return heard;
 }
 
@@ -73,8 +85,7 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     status.goal_id = goal->id;
   }
   if (state.joints.empty()) {
-    status.state = ServoState::kStale;
-    status.reason = "no JOINT_STATE yet";
+    decide(ServoState::kStale, "no JOINT_STATE yet", status);
     return output;
   }
   const std::string stale = why_stale(pose, state);
@@ -84,26 +95,21 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
 
   if (!state.permit.blocked().empty()) {
     state.command.hold();
-    status.state = ServoState::kStopped;
-    status.reason = state.permit.blocked();
+    decide(ServoState::kStopped, state.permit.blocked(), status);
   } else if (!state.permit.released()) {
     state.command.hold();
     // A stopped arm rests short of its command: begin from there.
     if (state.joints.newest().position != state.command.position()) adopt_joints(state);
     state.gripper.adopt(arm_.gripper, state.joints.newest());
-    status.state = ServoState::kStopped;
-    status.reason = state.permit.why_stopped();
+    decide(ServoState::kStopped, state.permit.why_stopped(), status);
   } else if (!stale.empty()) {
     state.command.hold();
-    status.state = ServoState::kStale;
-    status.reason = stale;
+    decide(ServoState::kStale, stale, status);
   } else if (const std::string goal_stale = state.followed.why_stale(state.joints.newest().utime, parameters_.goal_age);
              !goal_stale.empty()) {
-    state.sight.window.clear();
-    state.paper_frames = 0;
+    state.law.pause();
     slow_down(state);
-    status.state = ServoState::kStale;
-    status.reason = goal_stale;
+    decide(ServoState::kStale, goal_stale, status);
   } else {
     follow_goal(pose, state, status);
   }
@@ -116,7 +122,7 @@ void ServoStateMachine::advance_time(const PoseSample& pose, State& state) const
   switch (state.pictures.advance(pose)) {
     case Succession::kOfAnotherWriter:
       state.marks.forget();
-      state.sight = SightState();
+      state.law.forget_pictures();
       break;
     case Succession::kAfterAGap:
       state.command.hold();
@@ -129,8 +135,7 @@ void ServoStateMachine::advance_time(const PoseSample& pose, State& state) const
 void ServoStateMachine::adopt_joints(State& state) const {
   state.command.adopt(state.joints.newest());
   state.gripper.adopt(arm_.gripper, state.joints.newest());
-  state.sight = SightState();
-  state.paper_frames = 0;
+  state.law.forget();
 }
 
 std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& state) const {
@@ -147,15 +152,13 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
   if (elsewhere && state.command.at_rest_since(settling, state.joints)) adopt_joints(state);
   status.settled = state.command.at_rest_since(settling, state.joints).has_value();
   if (!state.followed.goal()) {
-    status.state = ServoState::kHold;
-    status.reason = state.followed.why_none();
+    decide(ServoState::kHold, state.followed.why_none(), status);
     slow_down(state);
     return;
   }
   const Goal& goal = *state.followed.goal();
   if (!state.followed.refusal().empty()) {
-    status.state = ServoState::kUnreachable;
-    status.reason = state.followed.refusal();
+    decide(ServoState::kUnreachable, state.followed.refusal(), status);
     slow_down(state);
     return;
   }
@@ -187,9 +190,10 @@ void ServoStateMachine::move_to_posture(State& state, Status& status) const {
   const Goal& goal = *state.followed.goal();
   const JointVector q_goal(goal.position[0], goal.position[1], goal.position[2]);
   status.state = ServoState::kPosture;
-  const double speed_before = state.command.last_step().cwiseAbs().maxCoeff() / state.pictures.seconds();
-  const JointVector step = posture_step(arm_, parameters_.posture, state.command.position(), q_goal,
-                                        state.pictures.seconds(), grip_speed_limit(goal), speed_before);
+  const double seconds = state.pictures.seconds();
+  const double speed_before = state.command.last_step().cwiseAbs().maxCoeff() / seconds;
+  const JointVector step = posture_step(arm_, parameters_.posture, state.command.position(), q_goal, seconds,
+                                        grip_speed_limit(goal), speed_before);
   move({step, true}, state, status);
   if (step.isZero()) state.command.hold();
   status.settled =
@@ -202,73 +206,24 @@ void ServoStateMachine::servo(const PoseSample& pose, State& state, Status& stat
       state.marks.see(parameters_.marks, arm_, pose, state.joints.at(pose.utime), hand_name_, goal.target);
   status.settled = false;
   if (!sighting.lost.empty()) {
-    status.state = ServoState::kLost;
-    status.reason = sighting.lost;
-    state.sight.window.clear();
+    decide(ServoState::kLost, sighting.lost, status);
+    state.law.lose_sight();
     slow_down(state);
     return;
   }
-  if (parameters_.law == Law::kPaper) {
-    servo_paper(sighting, state, status);
-  } else {
-    servo_resolved_rate(sighting, state, status);
-  }
-}
-
-void ServoStateMachine::servo_resolved_rate(const Sighting& sighting, State& state, Status& status) const {
-  const Goal& goal = *state.followed.goal();
-  Sight sight;
-  sight.utime = sighting.utime;
-  sight.seconds = state.pictures.seconds();
-  sight.q_exposure = sighting.q_exposure;
-  sight.p_CM = sighting.p_CM;
-  sight.p_CG_goal = sighting.p_CT + goal.p_TG_C;
-  sight.tolerance = goal.tolerance;
-  sight.grip_speed = grip_speed_limit(goal);
-  const SightAnswer answer = servo_by_sight(arm_, parameters_.sight, sight, state.joints, state.command, state.sight);
+  const double seconds = state.pictures.seconds();
+  const LawInput input{goal, sighting, state.joints, state.command, seconds, grip_speed_limit(goal)};
+  const LawAnswer answer = law_->step(input, state.law);
   status.error = answer.error;
   status.covariance = sighting.target_covariance + sighting.hand_covariance / answer.frames;
   status.settled = answer.settled;
-  status.reason = answer.unreachable;
   if (!answer.unreachable.empty()) {
-    status.state = ServoState::kUnreachable;
+    decide(ServoState::kUnreachable, answer.unreachable, status);
     slow_down(state);
     return;
   }
   status.state = answer.converged ? ServoState::kConverged : ServoState::kServo;
   move(answer.step, state, status);
-}
-
-void ServoStateMachine::servo_paper(const Sighting& sighting, State& state, Status& status) const {
-  const Goal& goal = *state.followed.goal();
-  const SightParameters& parameters = parameters_.sight;
-  const Eigen::Vector3d p_CG_goal = sighting.p_CT + goal.p_TG_C;
-  const Eigen::Vector3d p_CG = seen_grip_point(arm_, sighting.q_exposure, sighting.p_CM);
-  status.error = p_CG - p_CG_goal;
-  status.covariance = sighting.target_covariance + sighting.hand_covariance;
-
-  JointVector q_goal;
-  const Eigen::Vector3d bias = kinematic_bias(arm_, sighting.q_exposure, sighting.p_CM);
-  status.reason = why_unreachable(arm_, p_CG_goal - bias, parameters.joint_margin, q_goal);
-  if (!status.reason.empty()) {
-    status.state = ServoState::kUnreachable;
-    slow_down(state);
-    return;
-  }
-  const auto* mark = robot_.find_mark(goal.target);
-  const Eigen::Vector3d usual = mark->grip ? mark->grip->p_TG : goal.p_TG_C;
-  const Eigen::Vector3d error = paper_error(*robot_.paper_law, sighting.p_CM, sighting.p_CT, goal.p_TG_C - usual);
-  const double tolerance = goal.tolerance > 0.0 ? goal.tolerance : parameters.tolerance;
-  state.paper_frames = error.norm() <= tolerance ? state.paper_frames + 1 : 0;
-  const bool there = state.paper_frames >= parameters.settling.frames;
-  status.state = there ? ServoState::kConverged : ServoState::kServo;
-  status.settled = there;
-  JointVector step = JointVector::Zero();
-  if (!there) {
-    step = paper_step(*robot_.paper_law, error, state.pictures.seconds(), parameters.rate.joint_speed);
-    step = inside_limits(arm_, state.command.position() + step) - state.command.position();
-  }
-  move({step, !there}, state, status);
 }
 
 double ServoStateMachine::grip_speed_limit(const Goal& goal) const {

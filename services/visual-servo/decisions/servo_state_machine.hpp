@@ -3,6 +3,7 @@
 // The servo's core: goals, joint states and stop states are observed as they come; every TARGET_POSE yields one joint
 // command and one status. No clock but the messages'.
 
+#include <memory>
 #include <string>
 
 #include "common/motion/goal_inbox.hpp"
@@ -12,8 +13,10 @@
 #include "services/visual-servo/decisions/followed_goal.hpp"
 #include "services/visual-servo/decisions/motion_permit.hpp"
 #include "services/visual-servo/decisions/picture_clock.hpp"
+#include "services/visual-servo/laws/law_state.hpp"
 #include "services/visual-servo/laws/posture_motion.hpp"
 #include "services/visual-servo/laws/servo_by_sight.hpp"
+#include "services/visual-servo/laws/servo_law.hpp"
 #include "services/visual-servo/servo_types.hpp"
 #include "services/visual-servo/sight/hand_and_target.hpp"
 
@@ -44,8 +47,7 @@ struct State {
   ArmCommand command;
   GripperCommand gripper;
   HandAndTarget marks;
-  SightState sight;
-  int paper_frames = 0;  // in a row within tolerance, by the paper's law
+  LawState law;
 };
 
 class ServoStateMachine {
@@ -76,14 +78,13 @@ class ServoStateMachine {
   void move(const ArmStep& step, State& state, Status& status) const;
   void move_to_posture(State& state, Status& status) const;
   void servo(const PoseSample& pose, State& state, Status& status) const;
-  void servo_resolved_rate(const Sighting& sighting, State& state, Status& status) const;
-  void servo_paper(const Sighting& sighting, State& state, Status& status) const;
   double grip_speed_limit(const Goal& goal) const;
 
   robot::RobotDescription robot_;
   robot::ArmDescription arm_;
   std::string hand_name_;
   Parameters parameters_;
+  std::unique_ptr<const ServoLaw> law_;
 };
 
 }  // namespace markservo::visual_servo
