@@ -154,9 +154,9 @@ void VisualServoNode::after_input() {
 
 void VisualServoNode::tell(const Status& status) {
   const std::string others = motion::notice(*arm_, state_.followed.inbox(), parameters_.goal_age);
-  if (told_ == status.state && told_notice_ == others) return;  // reasons may hold numbers that change with every frame
-  told_ = status.state;
-  told_notice_ = others;
+  // Reasons may hold numbers that change with every frame.
+  if (told_ && told_->state == status.state && told_->notice == others) return;
+  told_ = Told{status.state, others};
   std::string reason = status.reason;
   if (!others.empty() && others != reason) reason += (reason.empty() ? "" : "; ") + others;
   bus_->set_state(name_of(status.state), reason);
