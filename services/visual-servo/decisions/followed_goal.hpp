@@ -14,8 +14,8 @@ namespace markservo::visual_servo {
 
 class FollowedGoal {
  public:
-  // A goal, new or repeated, and what became of it. `now`: us, of the joints, 0 before any; `age`: s, as below;
-  // `latched`: a stop is, and goals end with it.
+  // A goal, new or repeated, and what became of it. `now`: us, of the joints, 0 before any; `age`: s, within which
+  // goals are fresh; `latched`: the stop is, so that no goal is followed.
   motion::GoalHeard observe(const Goal& goal, std::int64_t now, double age, bool latched);
   // The new goal cannot be followed at all; `why` for people, empty when it can.
   void refuse(const std::string& why) { refusal_ = why; }
@@ -24,7 +24,7 @@ class FollowedGoal {
   void end();
   // Likewise, since something began anew; `why` for people.
   void drop(const std::string& why);
-  // The first time that is known, `now` (us): a goal that came before is judged, so that none waits for its hour.
+  // `now` (us) is the first time that is known: a goal that came before it is judged, so that none waits for its hour.
   void judge_by_first_time(std::int64_t now, double age);
 
   const std::optional<Goal>& goal() const { return goal_; }
