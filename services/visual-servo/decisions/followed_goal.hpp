@@ -28,6 +28,8 @@ class FollowedGoal {
   void judge_by_first_time(std::int64_t now, double age);
 
   const std::optional<Goal>& goal() const { return goal_; }
+  // Nothing is to move: there is none, or one that says so.
+  bool holds() const { return !goal_ || goal_->kind == GoalKind::kHold; }
   const std::string& refusal() const { return refusal_; }  // of goal()
   // Why none is followed.
   std::string why_none() const { return dropped_.empty() ? "no goal" : dropped_; }

@@ -54,6 +54,7 @@ motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) con
   const auto heard = state.followed.observe(goal, now, parameters_.goal_age, state.permit.latched());
   if (heard != motion::GoalHeard::kNew) return heard;
   state.followed.refuse(why_goal_is_refused(robot_, goal));
+  state.lost.forget();
   state.marks.forget();
   state.law.forget();
   return heard;
@@ -95,6 +96,7 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
 
   if (!state.permit.blocked().empty()) {
     state.command.hold();
+    state.gripper.adopt(arm_.gripper, state.joints.newest());
     decide(ServoState::kStopped, state.permit.blocked(), status);
   } else if (!state.permit.released()) {
     state.command.hold();
@@ -109,6 +111,7 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
              !goal_stale.empty()) {
     state.law.pause();
     slow_down(state);
+    state.gripper.adopt(arm_.gripper, state.joints.newest());
     decide(ServoState::kStale, goal_stale, status);
   } else {
     follow_goal(pose, state, status);
@@ -147,13 +150,13 @@ std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& st
 
 void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status& status) const {
   const JointSample& now = state.joints.newest();
-  const SettlingParameters& settling = parameters_.sight.settling;
-  const bool elsewhere = (now.position - state.command.position()).cwiseAbs().maxCoeff() > parameters_.lost_arm;
-  if (elsewhere && state.command.at_rest_since(settling, state.joints)) adopt_joints(state);
-  status.settled = state.command.at_rest_since(settling, state.joints).has_value();
+  status.reason = take_lost_arm(state);
+  status.settled = state.command.at_rest_since(parameters_.sight.settling, state.joints).has_value();
   if (!state.followed.goal()) {
-    decide(ServoState::kHold, state.followed.why_none(), status);
+    status.state = ServoState::kHold;
+    if (status.reason.empty()) status.reason = state.followed.why_none();
     slow_down(state);
+    state.gripper.adopt(arm_.gripper, now);
     return;
   }
   const Goal& goal = *state.followed.goal();
@@ -176,6 +179,15 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
       slow_down(state);
       break;
   }
+}
+
+std::string ServoStateMachine::take_lost_arm(State& state) const {
+  const JointVector& q_now = state.joints.newest().position;
+  const bool elsewhere = (q_now - state.command.position()).cwiseAbs().maxCoeff() > parameters_.lost_arm;
+  if (!elsewhere || !state.command.at_rest_since(parameters_.sight.settling, state.joints)) return "";
+  if (!state.lost.take(state.followed.holds())) return "the arm does not rest where it is told to";
+  adopt_joints(state);
+  return "";
 }
 
 void ServoStateMachine::slow_down(State& state) const {
