@@ -1,8 +1,9 @@
-// What the decisions rest on: the goal, the stop's word, the pictures' time.
+// What the decisions rest on: the goal, the stop's word, the pictures' time, where the arm was found.
 
 #include <gtest/gtest.h>
 
 #include "services/visual-servo/decisions/followed_goal.hpp"
+#include "services/visual-servo/decisions/lost_arm.hpp"
 #include "services/visual-servo/decisions/motion_permit.hpp"
 #include "services/visual-servo/decisions/picture_clock.hpp"
 
@@ -70,6 +71,36 @@ TEST(FollowedGoal, OneHeardBeforeAnyTimeIsJudgedByTheFirst) {
   old.judge_by_first_time(kNow + 3'000'000, kAge_s);
   EXPECT_FALSE(old.goal());
   EXPECT_EQ(old.observe(goal_at(kNow + 3'000'000), kNow + 3'000'000, kAge_s, false), motion::GoalHeard::kEnded);
+}
+
+TEST(FollowedGoal, HoldsWithoutAGoalAndByOneThatSaysSo) {
+  FollowedGoal followed;
+  EXPECT_TRUE(followed.holds());
+  Goal goal = goal_at(kNow);
+  goal.kind = GoalKind::kPosture;
+  followed.observe(goal, kNow, kAge_s, false);
+  EXPECT_FALSE(followed.holds());
+  goal.kind = GoalKind::kHold;
+  goal.id = 2;
+  followed.observe(goal, kNow, kAge_s, false);
+  EXPECT_TRUE(followed.holds());
+}
+
+TEST(LostArm, IsTakenOnceWhileItHolds) {
+  LostArm lost;
+  EXPECT_TRUE(lost.take(true));
+  EXPECT_FALSE(lost.take(true));
+  EXPECT_FALSE(lost.take(true));
+  lost.forget();
+  EXPECT_TRUE(lost.take(true)) << "by another goal";
+}
+
+TEST(LostArm, IsTakenEachTimeWhileItIsToMove) {
+  LostArm lost;
+  EXPECT_TRUE(lost.take(true));
+  EXPECT_TRUE(lost.take(false));
+  EXPECT_TRUE(lost.take(false));
+  EXPECT_TRUE(lost.take(true)) << "it moved in between";
 }
 
 TEST(MotionPermit, IsNotGivenBeforeTheArmHasSpoken) {
