@@ -44,20 +44,22 @@ void VisualServoNode::add_options(CLI::App& app) {
   number("--posture-speed", parameters_.posture.joint_speed, "Limit of the joints towards a posture, rad/s", 0.05,
          10.0);
   number("--posture-acceleration", parameters_.posture.joint_acceleration, "Towards a posture, rad/s^2", 0.1, 100.0);
-  number("--tolerance", sight.tolerance, "Converged within, m, for goals that state none", 0.0002, 0.05);
-  number("--fine-tolerance", sight.fine_tolerance, "Aimed at while corrections help, m", 0.0001, 0.05);
-  count("--fine-corrections", sight.fine_corrections, "Corrections after which the goal's tolerance will do", 0, 100);
+  number("--tolerance", sight.convergence.tolerance, "Converged within, m, for goals that state none", 0.0002, 0.05);
+  number("--fine-tolerance", sight.convergence.fine_tolerance, "Aimed at while corrections help, m", 0.0001, 0.05);
+  count("--fine-corrections", sight.convergence.fine_corrections,
+        "Corrections after which the goal's tolerance will do", 0, 100);
   number("--back-off", sight.one_sided.back_off, "Against backlash, rad of each joint", 0.0, 0.1);
   number("--last-move", sight.one_sided.last_move, "Into the goal, rad: above a servo's deadband by a quarter", 0.0,
          0.05);
   count("--settled-frames", sight.settling.frames, "Averaged at rest", 1, 30);
   number("--settle-time", sight.settling.settle_time, "From the ramps' end to rest, s", 0.0, 2.0);
-  count("--target-frames", parameters_.target.frames, "Averaged over a target that stands still, at most", 1, 1000);
+  count("--target-frames", parameters_.marks.target.frames, "Averaged over a target that stands still, at most", 1,
+        1000);
   number("--pose-age", parameters_.pose_age, "Older pictures are not acted on, s", 0.02, 2.0);
   number("--joint-age", parameters_.joint_age, "Older joint states are not acted on, s", 0.02, 2.0);
   number("--goal-age", parameters_.goal_age, "A goal not repeated for longer is not followed, s", 0.25, 5.0);
-  number("--hand-mismatch", parameters_.hand_mismatch, "Most between the hand mark and the joints' word, m", 0.001,
-         1.0);
+  number("--hand-mismatch", parameters_.marks.hand_mismatch, "Most between the hand mark and the joints' word, m",
+         0.001, 1.0);
 }
 
 void VisualServoNode::configure(const std::string& robot_file) {
@@ -114,7 +116,7 @@ void VisualServoNode::on_joints(const JointState& joints) {
 
 void VisualServoNode::on_goal(const ServoGoal& goal) {
   if (machine_->observe(goal_of(goal), state_) == motion::GoalHeard::kContested) {
-    arm_->raise(state_.goals.two());
+    arm_->raise(state_.followed.inbox().two());
   }
   after_input();
 }
@@ -143,7 +145,7 @@ void VisualServoNode::on_pose(const TargetPose& pose) {
 
 // What two that claim to be one lead to.
 void VisualServoNode::after_input() {
-  state_.blocked = arm_->blocked();
+  state_.permit.block(arm_->blocked());
   if (const auto wish = arm_->stop_due()) {
     StopRequest stop = messages::stop_request(*wish, arm_->now(), bus_->session(), "visual-servo");
     stops_->publish(stop);
@@ -151,10 +153,10 @@ void VisualServoNode::after_input() {
 }
 
 void VisualServoNode::tell(const Status& status) {
-  const std::string others = motion::notice(*arm_, state_.goals, parameters_.goal_age);
-  if (told_ == status.state && told_notice_ == others) return;  // reasons may hold numbers that change with every frame
-  told_ = status.state;
-  told_notice_ = others;
+  const std::string others = motion::notice(*arm_, state_.followed.inbox(), parameters_.goal_age);
+  // Reasons may hold numbers that change with every frame.
+  if (told_ && told_->state == status.state && told_->notice == others) return;
+  told_ = Told{status.state, others};
   std::string reason = status.reason;
   if (!others.empty() && others != reason) reason += (reason.empty() ? "" : "; ") + others;
   bus_->set_state(name_of(status.state), reason);

@@ -14,7 +14,7 @@
 
 #include "common/bus/service.hpp"
 #include "common/motion/mover_watch.hpp"
-#include "services/visual-servo/servo_state_machine.hpp"
+#include "services/visual-servo/decisions/servo_state_machine.hpp"
 
 namespace markservo::visual_servo {
 
@@ -28,6 +28,10 @@ class VisualServoNode : public bus::Service {
   void start(bus::Bus& bus) override;
 
  private:
+  struct Told {
+    ServoState state;
+    std::string notice;  // of others
+  };
   void on_stop(const StopState& stop);
   void on_joints(const JointState& joints);
   void on_goal(const ServoGoal& goal);
@@ -46,8 +50,7 @@ class VisualServoNode : public bus::Service {
   std::optional<bus::Publisher<StopRequest>> stops_;
   std::optional<bus::Publisher<JointCommand>> commands_;
   std::optional<bus::Publisher<ServoStatus>> statuses_;
-  std::optional<ServoState> told_;
-  std::string told_notice_;
+  std::optional<Told> told_;
 };
 
 }  // namespace markservo::visual_servo

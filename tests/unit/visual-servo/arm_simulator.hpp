@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "services/simulator/servo_model.hpp"
-#include "services/visual-servo/servo_state_machine.hpp"
+#include "services/visual-servo/decisions/servo_state_machine.hpp"
 
 namespace markservo::visual_servo::test {
 

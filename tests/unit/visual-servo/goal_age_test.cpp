@@ -32,7 +32,7 @@ TEST_F(GoalAge, AServoGoalWhoseSenderDiedBringsTheArmToRest) {
   EXPECT_FALSE(output.status.settled);
   EXPECT_EQ(output.status.goal_id, 1);
   frames(5);
-  const JointVector rest = state_.command.position;
+  const JointVector rest = state_.command.position();
   const double y = arm_.grip_point().y();
   EXPECT_LT(y, goal_point_.y() - 0.05) << "far from its end";
   EXPECT_EQ(frames(30).command->position, rest);
@@ -51,9 +51,9 @@ TEST_F(GoalAge, APostureGoesOnWhenItIsRepeatedAgain) {
   frames(10);
   sender_lives_ = true;
   EXPECT_EQ(frame().status.state, ServoState::kPosture);
-  const JointVector before = state_.command.position;
+  const JointVector before = state_.command.position();
   frames(10);
-  EXPECT_GT((state_.command.position - before).norm(), 0.0);
+  EXPECT_GT((state_.command.position() - before).norm(), 0.0);
 }
 
 TEST_F(GoalAge, RepeatsAtFiveHertzWithTheFramesTimeAreOftenEnough) {
@@ -79,7 +79,7 @@ TEST_F(GoalAge, AfterALongBlindTimeNothingOfTheFormerMotionGoesOn) {
   machine_.observe(posture_goal(start_ + JointVector(0.6, -0.2, 0.1)), state_);
   frames(4);
   sender_lives_ = false;
-  const JointVector before = state_.command.position;
+  const JointVector before = state_.command.position();
   // No picture for 3 s, while the joints report.
   for (int i = 0; i < 90; ++i) {
     arm_.expose();
@@ -87,7 +87,7 @@ TEST_F(GoalAge, AfterALongBlindTimeNothingOfTheFormerMotionGoesOn) {
     arm_.finish_frame(std::nullopt);
   }
   EXPECT_EQ(frame().status.state, ServoState::kStale);
-  EXPECT_EQ((state_.command.position - before).norm(), 0.0);
+  EXPECT_EQ((state_.command.position() - before).norm(), 0.0);
 }
 
 TEST_F(GoalAge, AGoalOfTheFutureHeardBeforeTheFirstJointStateDoesNotWaitForItsHour) {

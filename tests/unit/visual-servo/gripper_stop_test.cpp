@@ -112,7 +112,7 @@ TEST_F(GripperStop, AHandThatWasPutElsewhereMeanwhileIsNotClosed) {
   frames(3);
   stop(false);
   frames(30);
-  EXPECT_NEAR(state_.command.gripper_opening, 0.05, 0.002);
+  EXPECT_NEAR(state_.gripper.opening(), 0.05, 0.002);
   EXPECT_NEAR(arm_.opening, 0.05, 0.002);
 }
 

@@ -44,7 +44,7 @@ class Rig : public testing::Test {
 
   // The present goal, as its sender says it again.
   void repeat_goal(std::int64_t utime) {
-    Goal again = *state_.goal;
+    Goal again = *state_.followed.goal();
     again.utime = utime;
     machine_.observe(again, state_);
   }
@@ -66,7 +66,7 @@ class Rig : public testing::Test {
       if (frozen_joint_ >= 0) sample.position[frozen_joint_] = frozen_at_;
       machine_.observe(sample, state_);
     }
-    if (sender_lives_ && state_.goal) repeat_goal(pose.utime);
+    if (sender_lives_ && state_.followed.goal()) repeat_goal(pose.utime);
     last_pose_ = pose;
     Output output = machine_.step(pose, state_);
     arm_.finish_frame(output.command);

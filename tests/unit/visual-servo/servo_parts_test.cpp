@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "services/visual-servo/in_flight.hpp"
-#include "services/visual-servo/paper_law.hpp"
+#include "services/visual-servo/laws/paper_law.hpp"
+#include "services/visual-servo/sight/in_flight.hpp"
 #include "tests/unit/visual-servo/rig.hpp"
 
 namespace markservo::visual_servo::test {

@@ -148,7 +148,7 @@ TEST_F(ServoStates, AGoalThatIsNotFiniteReplacesTheOldOneAndMovesNothing) {
   Goal goal = servo_goal(2);
   goal.p_TG_C.y() = kNan;
   machine_.observe(goal, state_);
-  const JointVector before = state_.command.position;
+  const JointVector before = state_.command.position();
   const Output output = frames(5);
   EXPECT_EQ(output.status.state, ServoState::kUnreachable);
   EXPECT_EQ(output.status.goal_id, 2);
@@ -200,7 +200,7 @@ TEST_F(ServoStates, HoldSlowsDownAndStays) {
   hold.kind = GoalKind::kHold;
   machine_.observe(hold, state_);
   frames(6);
-  const JointVector rest = state_.command.position;
+  const JointVector rest = state_.command.position();
   const Output output = frames(10);
   EXPECT_EQ(output.status.state, ServoState::kHold);
   EXPECT_TRUE(output.status.settled);
@@ -210,7 +210,7 @@ TEST_F(ServoStates, HoldSlowsDownAndStays) {
 TEST_F(ServoStates, AnOlderGoalOfTheSameSessionIsPassedOver) {
   machine_.observe(servo_goal(4), state_);
   EXPECT_EQ(machine_.observe(servo_goal(3), state_), motion::GoalHeard::kEnded);
-  EXPECT_EQ(state_.goal->id, 4);
+  EXPECT_EQ(state_.followed.goal()->id, 4);
 }
 
 TEST_F(ServoStates, ATargetThatIsMovedAwayIsFollowed) {
@@ -226,7 +226,7 @@ TEST_F(ServoStates, ATargetThatIsMovedAwayIsFollowed) {
 TEST_F(ServoStates, AGoalThatIsMetAlreadyMovesNothing) {
   machine_.observe(servo_goal(1), state_);
   frames_until(ServoState::kConverged);
-  const JointVector before = state_.command.position;
+  const JointVector before = state_.command.position();
   Goal again = servo_goal(2);
   again.gripper_opening = 0.0;
   machine_.observe(again, state_);

@@ -37,8 +37,8 @@ std::vector<Eigen::Vector3d> starts(const robot::ArmDescription& arm, const Eige
 Output step_once(ArmSimulator& arm, const ServoStateMachine& machine, State& state) {
   const PoseSample pose = arm.expose();
   for (const auto& sample : arm.take_joint_states()) machine.observe(sample, state);
-  if (state.goal) {
-    Goal again = *state.goal;
+  if (state.followed.goal()) {
+    Goal again = *state.followed.goal();
     again.utime = pose.utime;
     machine.observe(again, state);
   }

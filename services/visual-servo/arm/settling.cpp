@@ -1,4 +1,4 @@
-#include "services/visual-servo/settling.hpp"
+#include "services/visual-servo/arm/settling.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,10 @@
-#include "services/visual-servo/resolved_rate.hpp"
+#include "services/visual-servo/laws/resolved_rate.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 
 #include "common/robot/arm_kinematics.hpp"
+#include "services/visual-servo/arm/joint_limits.hpp"
 
 namespace markservo::visual_servo {
 
@@ -11,15 +12,6 @@ robot::JointVector damped_joint_step(const Eigen::Matrix3d& jacobian, const Eige
                                      double damping) {
   const Eigen::Matrix3d damped = jacobian * jacobian.transpose() + damping * damping * Eigen::Matrix3d::Identity();
   return jacobian.transpose() * damped.inverse() * grip_step;
-}
-
-robot::JointVector inside_limits(const robot::ArmDescription& arm, const robot::JointVector& q) {
-  robot::JointVector clamped = q;
-  for (int i = 0; i < robot::kNumJoints; ++i) {
-    const auto& joint = arm.joints[static_cast<std::size_t>(i)];
-    clamped[i] = std::clamp(q[i], joint.min, joint.max);
-  }
-  return clamped;
 }
 
 robot::JointVector resolved_rate_step(const robot::ArmDescription& arm, const ResolvedRateParameters& parameters,

@@ -1,4 +1,4 @@
-#include "services/visual-servo/gripper_watch.hpp"
+#include "services/visual-servo/arm/gripper_watch.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "services/visual-servo/in_flight.hpp"
+#include "services/visual-servo/sight/in_flight.hpp"
 
 #include "common/robot/arm_kinematics.hpp"
 

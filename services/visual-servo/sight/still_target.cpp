@@ -1,4 +1,4 @@
-#include "services/visual-servo/still_target.hpp"
+#include "services/visual-servo/sight/still_target.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "services/visual-servo/joint_history.hpp"
+#include "services/visual-servo/arm/joint_history.hpp"
 
 #include <algorithm>
 

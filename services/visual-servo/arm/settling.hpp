@@ -7,7 +7,7 @@
 #include <deque>
 #include <optional>
 
-#include "services/visual-servo/joint_history.hpp"
+#include "services/visual-servo/arm/joint_history.hpp"
 
 namespace markservo::visual_servo {
 

@@ -1,10 +1,10 @@
-#include "services/visual-servo/kinematic_bias.hpp"
+#include "services/visual-servo/sight/kinematic_bias.hpp"
 
 #include <Eigen/LU>
 #include <cmath>
 
 #include "common/robot/arm_kinematics.hpp"
-#include "services/visual-servo/in_flight.hpp"
+#include "services/visual-servo/sight/in_flight.hpp"
 
 namespace markservo::visual_servo {
 namespace {

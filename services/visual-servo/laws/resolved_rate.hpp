@@ -16,13 +16,10 @@ struct ResolvedRateParameters {
   double grip_acceleration = 6.0;  // m/s^2; full speed after 3 frames, so that the arm is not kicked
 };
 
-// Joint step (rad) that moves the grip point by `grip_step` (m): damped least squares, J^T (J J^T + damping^2 I)^-1 step,
-// which stays small where the arm is stretched (C. W. Wampler, "Manipulator inverse kinematic solutions based on vector
-// formulations and damped least-squares methods", IEEE Trans. SMC 16(1), 1986).
+// Joint step (rad) that moves the grip point by `grip_step` (m): damped least squares, J^T (J J^T + damping^2 I)^-1
+// step, which stays small where the arm is stretched (C. W. Wampler, "Manipulator inverse kinematic solutions based on
+// vector formulations and damped least-squares methods", IEEE Trans. SMC 16(1), 1986).
 robot::JointVector damped_joint_step(const Eigen::Matrix3d& jacobian, const Eigen::Vector3d& grip_step, double damping);
-
-// `q` brought inside the joint limits, rad.
-robot::JointVector inside_limits(const robot::ArmDescription& arm, const robot::JointVector& q);
 
 // The next joint step (rad) of a grip point that still has `to_go` (m, in C) ahead, from the commanded posture
 // `q_command`. `seconds`: frame interval; `grip_speed`: limit, m/s; `speed_before`: the grip point's last speed, m/s.

@@ -1,4 +1,4 @@
-#include "services/visual-servo/goal_check.hpp"
+#include "services/visual-servo/arm/goal_check.hpp"
 
 #include <cmath>
 #include <cstdarg>

@@ -1,4 +1,4 @@
-#include "services/visual-servo/posture_motion.hpp"
+#include "services/visual-servo/laws/posture_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

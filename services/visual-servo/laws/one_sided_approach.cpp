@@ -1,9 +1,9 @@
-#include "services/visual-servo/one_sided_approach.hpp"
+#include "services/visual-servo/laws/one_sided_approach.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "services/visual-servo/resolved_rate.hpp"
+#include "services/visual-servo/arm/joint_limits.hpp"
 
 namespace markservo::visual_servo {
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "common/robot/robot_description.hpp"
+#include "services/visual-servo/laws/servo_law.hpp"
 
 namespace markservo::visual_servo {
 
@@ -17,5 +18,28 @@ Eigen::Vector3d paper_error(const robot::PaperLawDescription& law, const Eigen::
 // faster than `joint_speed` (rad/s).
 robot::JointVector paper_step(const robot::PaperLawDescription& law, const Eigen::Vector3d& error, double seconds,
                               double joint_speed);
+
+// As the law by sight has them, so that both are compared alike; no defaults of its own.
+struct PaperParameters {
+  double tolerance = 0.0;     // m, when the goal states none
+  int frames = 0;             // in a row within tolerance, after which it has converged
+  double joint_speed = 0.0;   // rad/s, limit of each joint
+  double joint_margin = 0.0;  // rad from limits and from the stretched arm, for goals
+};
+
+struct PaperState {
+  int frames = 0;  // in a row within tolerance
+};
+
+class PaperLaw : public ServoLaw {
+ public:
+  // `robot` has an arm. Throws std::invalid_argument unless it has a paper_law.
+  PaperLaw(robot::RobotDescription robot, const PaperParameters& parameters);
+  LawAnswer step(const LawInput& input, LawState& state) const override;
+
+ private:
+  robot::RobotDescription robot_;
+  PaperParameters parameters_;
+};
 
 }  // namespace markservo::visual_servo
