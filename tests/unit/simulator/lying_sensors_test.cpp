@@ -1,4 +1,4 @@
-#include "services/simulator/lying_sensors.hpp"
+#include "services/simulator/faults/lying_sensors.hpp"
 
 #include <gtest/gtest.h>
 

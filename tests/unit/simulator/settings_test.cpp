@@ -1,4 +1,4 @@
-#include "services/simulator/settings.hpp"
+#include "services/simulator/settings/settings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/simulator/scene.hpp"
-#include "services/simulator/scene_model.hpp"
+#include "services/simulator/model/scene_model.hpp"
+#include "services/simulator/scene/scene.hpp"
 
 namespace markservo::simulator {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/simulator/simulation.hpp"
+#include "services/simulator/world/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "common/robot/arm_kinematics.hpp"
-#include "services/simulator/scene.hpp"
-#include "services/simulator/scene_model.hpp"
-#include "services/simulator/settings.hpp"
-#include "services/simulator/simulation.hpp"
-#include "services/simulator/world.hpp"
+#include "services/simulator/model/scene_model.hpp"
+#include "services/simulator/scene/scene.hpp"
+#include "services/simulator/settings/settings.hpp"
+#include "services/simulator/world/simulation.hpp"
+#include "services/simulator/world/world.hpp"
 
 namespace markservo::simulator {
 

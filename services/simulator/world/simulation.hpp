@@ -1,0 +1,127 @@
+#pragma once
+
+// The running simulation without the bus: the world, its time, its frames, and which commands move arm and base when.
+// Simulated time begins at a given epoch, never goes back, and advances only by step() and reset().
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/motion/command_gate.hpp"
+#include "common/motion/stop_latch.hpp"
+#include "common/robot/robot_description.hpp"
+#include "services/simulator/arm/delayed_commands.hpp"
+#include "services/simulator/base/mobile_base.hpp"
+#include "services/simulator/cameras/frame_schedule.hpp"
+#include "services/simulator/cameras/image_effects.hpp"
+#include "services/simulator/scene/scene.hpp"
+#include "services/simulator/settings/settings.hpp"
+#include "services/simulator/world/world.hpp"
+
+namespace markservo::simulator {
+
+// Where time begins in lockstep, so that the same seed gives the same run: 2020-09-13 12:26:40 UTC.
+inline constexpr std::int64_t kEpoch_us = 1'600'000'000'000'000;
+
+enum class Timing {
+  kRealTime,  // commands take effect servo.delay_s after they came
+  kLockstep,  // commands take effect servo.delay_frames after the frame that they answer
+};
+
+// What became of a command.
+struct CommandAnswer {
+  motion::CommandVerdict verdict = motion::CommandVerdict::kLatched;
+  std::optional<std::size_t> leads;  // the first joint whose command leads the shaft too far, where one does
+};
+
+// Names and values as SIM_CONTROL carries them.
+using Assignments = std::vector<std::pair<std::string, double>>;
+
+class Simulation {
+ public:
+  // `session` is what all that it tells carries; `epoch`: us, when its time begins. Throws ConfigurationError if the
+  // world cannot be built.
+  Simulation(robot::RobotDescription robot, Scene scene, const Settings& start, std::uint64_t seed, Timing timing,
+             std::int64_t session, std::int64_t epoch = kEpoch_us);
+
+  // Builds the world anew from the start's settings with `changes` on top; arm and base are latched. The clock goes on
+  // by a second, so that whatever was said before is stale. Throws ConfigurationError and changes nothing if it cannot
+  // be.
+  void reset(std::uint64_t seed, const Assignments& changes);
+
+  // Changes settings that show at once. Throws ConfigurationError and changes nothing if one cannot be.
+  void set(const Assignments& changes);
+
+  // A STOP or its reset, of arm and base together. Latched, the arm stays where it is, the grip keeps its force, and
+  // the base brakes. Released, they move when a command answers a frame exposed after this, or an odometry told after
+  // this.
+  motion::StopHeard request(const motion::StopRequestStamp& request);
+  std::string why_stale(const motion::StopRequestStamp& request) const { return latch_.why_stale(request, utime()); }
+  const motion::StopLatch& latch() const { return latch_; }
+
+  // A command that comes now, in answer to frame `frame_seq`. Two writers of it latch all.
+  CommandAnswer command(const motion::OfferedCommand& offered, std::int64_t frame_seq, const ArmCommand& command);
+  // The same for the base: wanted speed (m/s) and turn rate (rad/s) in answer to an odometry. kOtherMover from a robot
+  // without a base.
+  motion::CommandVerdict command_base(const motion::OfferedCommand& offered, double speed, double turn_rate);
+
+  // Lets kTimeStep pass. Throws std::runtime_error if the physics diverged.
+  void step();
+  std::int64_t utime() const;       // us
+  std::int64_t elapsed_us() const;  // since the epoch
+
+  bool has_base() const { return base_.has_value(); }
+  // What the base's devices tell that has become due since the last call; nothing from a robot without a base.
+  MobileBaseOutputs take_due();
+  // What is true about the base. Throws std::logic_error if the robot has none.
+  MobileBaseTruth base_truth() const;
+  // The newest odometry was told now.
+  void told_odometry() { odometry_utime_ = utime(); }
+
+  // True when the next frame's exposure is now.
+  bool frame_due() const { return step_count_ >= schedule_.next(); }
+  // Exposes the frame `seq` now. An exposure may be repeated under a new seq while time stands still.
+  void expose(std::int64_t seq);
+  // True if the exposed frame is one of the lost ones.
+  bool dropped() const;
+  // Seeds of the exposed frame's noise; side 0 is left, 1 right.
+  std::uint64_t noise_seed_of(int side) const { return noise_seed(seed_, frame_number(), side); }
+  ImageEffects effects() const;
+
+  World& world() { return world_; }
+  const robot::RobotDescription& robot() const { return robot_; }
+  const Settings& settings() const { return settings_; }
+  std::uint64_t seed() const { return seed_; }
+
+ private:
+  std::uint64_t frame_number() const { return static_cast<std::uint64_t>(frame_number_); }
+  void restart_schedule();
+  void freeze();
+  void release();
+  std::optional<MobileBase> new_base(const Settings& settings, std::uint64_t seed, std::int64_t epoch) const;
+
+  robot::RobotDescription robot_;
+  Scene scene_;
+  Settings start_;
+  Settings settings_;
+  std::uint64_t seed_;
+  Timing timing_;
+  World world_;
+  std::optional<MobileBase> base_;
+  std::int64_t epoch_;
+  motion::StopLatch latch_{"the simulated world"};
+  motion::CommandGate gate_;
+  motion::CommandGate base_gate_;
+  DelayedCommands delayed_;
+  FrameSchedule schedule_;
+  std::int64_t step_count_ = 0;      // since the start; time is counted by it
+  std::int64_t frame_number_ = 0;    // since the reset, of the exposed frame; 0 before the first
+  std::int64_t frame_utime_ = 0;     // us, of the exposed frame; 0 before the first
+  std::int64_t odometry_utime_ = 0;  // us, of the newest odometry told; likewise
+  std::int64_t first_seq_ = 0;       // of the exposed frame, as first sent
+  std::int64_t exposed_step_ = -1;
+};
+
+}  // namespace markservo::simulator
