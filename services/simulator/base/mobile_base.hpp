@@ -4,13 +4,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
 #include "services/simulator/base/base_rig.hpp"
+#include "services/simulator/base/base_settings.hpp"
+#include "services/simulator/readers/reader_settings.hpp"
 #include "services/simulator/readers/sonar_model.hpp"
-#include "services/simulator/scene/scene.hpp"
-#include "services/simulator/settings/settings.hpp"
 #include "services/simulator/world/world.hpp"
 
 namespace markservo::simulator {
@@ -33,13 +34,13 @@ class MobileBase {
  public:
   static constexpr std::int64_t kScanPeriod_us = 50'000;
 
-  // At rest where the settings start it, at `epoch` (us, above 0): the first odometry and the first scan are due then.
-  // Throws ConfigurationError if the robot has no base.
-  MobileBase(const robot::RobotDescription& robot, const Scene& scene, const Settings& settings, std::uint64_t seed,
-             std::int64_t epoch);
+  // At rest where `base` starts it, at `epoch` (us, above 0): the first odometry and the first scan are due then.
+  // `tag_field` as BaseRigParameters'. Throws ConfigurationError if the robot has no base.
+  MobileBase(const robot::RobotDescription& robot, const std::string& tag_field, const BaseSettings& base,
+             const ReaderSettings& readers, std::uint64_t seed, std::int64_t epoch);
 
-  // Takes over the settings that show at once.
-  void change(const Settings& settings);
+  // Takes over those that show at once.
+  void change(const ReaderSettings& readers);
 
   // As BaseRig's.
   void command(double speed, double turn_rate) { rig_.command(speed, turn_rate); }

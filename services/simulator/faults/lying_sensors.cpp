@@ -8,9 +8,9 @@ namespace {
 constexpr double kLeft = 1.0;  // of the settings that name a wheel
 constexpr double kRight = 2.0;
 
-double factor_of(const Settings& settings, double wheel) {
-  if (settings.faults_stuck_encoder == wheel) return 0.0;
-  return settings.faults_reversed_encoder == wheel ? -1.0 : 1.0;
+double factor_of(const FaultSettings& settings, double wheel) {
+  if (settings.stuck_encoder == wheel) return 0.0;
+  return settings.reversed_encoder == wheel ? -1.0 : 1.0;
 }
 
 // From counter to counter the short way around.
@@ -29,19 +29,19 @@ std::int32_t wrapped(std::int64_t count, int counter_bits) {
 
 }  // namespace
 
-ArmReading LyingSensors::tell(const Settings& settings, ArmReading reading) {
-  if (settings.faults_frozen_joint < 1.0) {
+ArmReading LyingSensors::tell(const FaultSettings& settings, ArmReading reading) {
+  if (settings.frozen_joint < 1.0) {
     joint_.reset();
     return reading;
   }
-  const auto joint = static_cast<Eigen::Index>(settings.faults_frozen_joint) - 1;
+  const auto joint = static_cast<Eigen::Index>(settings.frozen_joint) - 1;
   if (!joint_) joint_ = reading.position[joint];
   reading.position[joint] = *joint_;
   reading.speed[joint] = 0.0;
   return reading;
 }
 
-OdometryReading LyingSensors::tell(const Settings& settings, int counter_bits, OdometryReading reading) {
+OdometryReading LyingSensors::tell(const FaultSettings& settings, int counter_bits, OdometryReading reading) {
   tell(left_, factor_of(settings, kLeft), counter_bits, reading.ticks.left, reading.left_distance);
   tell(right_, factor_of(settings, kRight), counter_bits, reading.ticks.right, reading.right_distance);
   return reading;
@@ -60,8 +60,8 @@ void LyingSensors::tell(std::optional<Wheel>& wheel, double factor, int counter_
   distance = wheel->distance;
 }
 
-ImagePair LyingSensors::show(const Settings& settings, ImagePair images) {
-  if (settings.faults_frozen_camera < 1.0) {
+ImagePair LyingSensors::show(const FaultSettings& settings, ImagePair images) {
+  if (settings.frozen_camera < 1.0) {
     images_.reset();
     return images;
   }

@@ -8,7 +8,7 @@
 
 #include "services/simulator/base/base_rig.hpp"
 #include "services/simulator/cameras/stereo_renderer.hpp"
-#include "services/simulator/settings/settings.hpp"
+#include "services/simulator/faults/fault_settings.hpp"
 #include "services/simulator/world/world.hpp"
 
 namespace markservo::simulator {
@@ -16,11 +16,11 @@ namespace markservo::simulator {
 class LyingSensors {
  public:
   // What the joints' sensors tell of `reading`.
-  ArmReading tell(const Settings& settings, ArmReading reading);
+  ArmReading tell(const FaultSettings& settings, ArmReading reading);
   // What the encoders' driver tells; `counter_bits` as robot.yaml's base.
-  OdometryReading tell(const Settings& settings, int counter_bits, OdometryReading reading);
+  OdometryReading tell(const FaultSettings& settings, int counter_bits, OdometryReading reading);
   // What the cameras show.
-  ImagePair show(const Settings& settings, ImagePair images);
+  ImagePair show(const FaultSettings& settings, ImagePair images);
 
  private:
   // One wheel, as told so far: from then on only the increments count.

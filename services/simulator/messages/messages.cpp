@@ -93,15 +93,15 @@ SimTruth truth_message(const WorldTruth& truth) {
   return message;
 }
 
-StereoFrame frame_message(const robot::CameraDescription& cameras, const Settings& settings, const ImagePair& images,
-                          int jpeg_quality) {
+StereoFrame frame_message(const robot::CameraDescription& cameras, const CalibrationSettings& settings,
+                          const ImagePair& images, int jpeg_quality) {
   StereoFrame message{};
-  message.calibration.fx = cameras.stereo.fx * settings.calibration_f_scale;
-  message.calibration.fy = cameras.stereo.fy * settings.calibration_f_scale;
+  message.calibration.fx = cameras.stereo.fx * settings.f_scale;
+  message.calibration.fy = cameras.stereo.fy * settings.f_scale;
   message.calibration.cx_left = cameras.stereo.cx_left;
   message.calibration.cx_right = cameras.stereo.cx_right;
   message.calibration.cy = cameras.stereo.cy;
-  message.calibration.baseline = cameras.stereo.baseline * settings.calibration_b_scale;
+  message.calibration.baseline = cameras.stereo.baseline * settings.b_scale;
   message.width = images.left.cols;
   message.height = images.left.rows;
   message.encoding = jpeg_quality == 0 ? StereoFrame::ENCODING_BGR8 : StereoFrame::ENCODING_JPEG;

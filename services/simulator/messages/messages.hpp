@@ -9,8 +9,8 @@
 #include <opencv2/core.hpp>
 
 #include "common/robot/robot_description.hpp"
+#include "services/simulator/cameras/calibration_settings.hpp"
 #include "services/simulator/cameras/stereo_renderer.hpp"
-#include "services/simulator/settings/settings.hpp"
 #include "services/simulator/world/world.hpp"
 
 namespace markservo::simulator {
@@ -25,7 +25,7 @@ JointState joint_state_message(const ArmReading& arm);
 SimTruth truth_message(const WorldTruth& truth);
 
 // Calibration as the settings falsify it, size and pixels. `jpeg_quality` 1 to 100; 0: raw.
-StereoFrame frame_message(const robot::CameraDescription& cameras, const Settings& settings, const ImagePair& images,
-                          int jpeg_quality);
+StereoFrame frame_message(const robot::CameraDescription& cameras, const CalibrationSettings& settings,
+                          const ImagePair& images, int jpeg_quality);
 
 }  // namespace markservo::simulator

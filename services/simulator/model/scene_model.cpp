@@ -35,7 +35,7 @@ constexpr double kMeanInertia = 0.164;
 constexpr double kBaseInertia = 1e6;
 
 Vector3d marks_middle(const Scene& scene, const Settings& settings) {
-  return {settings.books_x, settings.books_y, scene.books.mark_z};
+  return {settings.books.x, settings.books.y, scene.books.mark_z};
 }
 
 void check_cameras(const robot::CameraDescription& cameras) {
@@ -138,7 +138,7 @@ std::string book_body(const robot::RobotDescription& robot, const Scene& scene, 
   std::string out = "<body " + named(book.mark) + " " + placed(book_pose(scene, settings, book)) + "><freejoint/>\n";
   out += "<geom " + named(book.mark) + " " + box(books.size) + " mass=\"" + mjcf(books.mass) + "\" " +
          coloured(book.cover) + " material=\"matt\" " + kBookContact + " condim=\"4\" friction=\"" +
-         mjcf(settings.books_friction) + " 0.005 0.0001\" " + kStiff + "/>\n";
+         mjcf(settings.books.friction) + " 0.005 0.0001\" " + kStiff + "/>\n";
   out += print_geom(mark, X_BM);
   // The look of a book: pages at the top, a title on the spine.
   constexpr double kInk = 0.0001;  // m, raised
@@ -163,7 +163,7 @@ std::string finger_body(const ArmDescription& arm, const Settings& settings, con
          " 0 0\" range=\"0 " + mjcf(0.5 * gripper.opening_max) + "\" armature=\"0.5\" damping=\"200\"/>\n<geom " +
          named(name) + " " + at(centre) + " " + box({gripper.finger_thickness, gripper.finger_length, kFingerHeight}) +
          " mass=\"0.02\" " + coloured(kDark) + " material=\"matt\" " + kArmContact +
-         " priority=\"1\" condim=\"4\" friction=\"" + mjcf(settings.gripper_friction) + " 0.01 0.0001\" " + kStiff +
+         " priority=\"1\" condim=\"4\" friction=\"" + mjcf(settings.gripper.friction) + " 0.01 0.0001\" " + kStiff +
          "/></body>\n";
 }
 
@@ -260,11 +260,11 @@ ArmDescription true_arm(const robot::RobotDescription& robot, const Settings& se
   if (!robot.arm)
     throw ConfigurationError("the simulator's robot has no arm; allowed: a robot.yaml with section 'arm'");
   ArmDescription arm = *robot.arm;
-  arm.p_CA += Vector3d(settings.calibration_arm_x, settings.calibration_arm_y, settings.calibration_arm_z);
-  arm.yaw_CA += settings.calibration_arm_yaw_deg * kRadiansPerDegree;
-  arm.column *= settings.arm_link_scale;
-  arm.upper_arm *= settings.arm_link_scale;
-  arm.forearm *= settings.arm_link_scale;
+  arm.p_CA += Vector3d(settings.calibration.arm_x, settings.calibration.arm_y, settings.calibration.arm_z);
+  arm.yaw_CA += settings.calibration.arm_yaw_deg * kRadiansPerDegree;
+  arm.column *= settings.arm.link_scale;
+  arm.upper_arm *= settings.arm.link_scale;
+  arm.forearm *= settings.arm.link_scale;
   return arm;
 }
 
@@ -272,7 +272,7 @@ Eigen::Isometry3d book_pose(const Scene& scene, const Settings& settings, const 
   const BooksScene& books = scene.books;
   Eigen::Isometry3d X_SB = Eigen::Isometry3d::Identity();
   X_SB.translation() = marks_middle(scene, settings) + Vector3d(book.place * books.spacing, 0.0, 0.0);
-  X_SB.rotate(Eigen::AngleAxisd(settings.books_slant_deg * kRadiansPerDegree, Vector3d::UnitZ()));
+  X_SB.rotate(Eigen::AngleAxisd(settings.books.slant_deg * kRadiansPerDegree, Vector3d::UnitZ()));
   X_SB.translate(
       Vector3d(0.0, kPrintThickness + 0.5 * books.size[1], scene.shelf.top_z + 0.5 * books.size[2] - books.mark_z));
   return X_SB;
@@ -284,7 +284,7 @@ SceneModel write_scene_model(const robot::RobotDescription& robot, const Scene& 
   SceneModel model;
   model.mjcf = header(robot.cameras, scene.light.ambient);
   model.mjcf += assets(model, robot, scene);
-  model.mjcf += "<worldbody>\n" + lamps(scene.light, settings.light_vary, seed) + room_geoms(scene) +
+  model.mjcf += "<worldbody>\n" + lamps(scene.light, settings.light.vary, seed) + room_geoms(scene) +
                 furniture_geoms(scene, settings) + robot_body(robot, scene, settings);
   for (const BookScene& book : scene.books.row) model.mjcf += book_body(robot, scene, settings, book);
   model.mjcf += obstacle_body();

@@ -58,8 +58,8 @@ bool BaseNode::publish_due() {
     scans_.publish(*scan_);
   }
   if (!due.odometry) return false;
-  odometry_ =
-      odometry_message(lying_.tell(simulation_->settings(), simulation_->robot().base->counter_bits, *due.odometry));
+  const int counter_bits = simulation_->robot().base->counter_bits;
+  odometry_ = odometry_message(lying_.tell(simulation_->settings().faults, counter_bits, *due.odometry));
   publish_odometry();
   barrier_.expect(odometries_.session(), odometry_seq_);
   return true;

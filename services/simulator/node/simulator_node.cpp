@@ -42,9 +42,7 @@ bool answers_odometry(const std::string& channel) {
 }
 
 std::string settings_help() {
-  std::string names;
-  for (const auto& setting : setting_descriptions()) names += std::string(names.empty() ? "" : ", ") + setting.name;
-  return "A setting, name=value, repeatable (--list-settings explains them): " + names;
+  return "A setting, name=value, repeatable (--list-settings explains them): " + setting_names();
 }
 
 }  // namespace
@@ -328,7 +326,8 @@ void SimulatorNode::expose_frame() {
     frames_->skip();
     return;
   }
-  StereoFrame frame = frame_message(robot_.cameras, simulation_->settings(), draw(), raw_ ? 0 : jpeg_quality_);
+  StereoFrame frame =
+      frame_message(robot_.cameras, simulation_->settings().calibration, draw(), raw_ ? 0 : jpeg_quality_);
   frame.utime = simulation_->utime();
   frames_->publish(frame);
 }
@@ -338,7 +337,7 @@ ImagePair SimulatorNode::draw() {
   ImagePair images = renderer_->render(world);
   apply_effects(simulation_->effects(), simulation_->noise_seed_of(0), images.left);
   apply_effects(simulation_->effects(), simulation_->noise_seed_of(1), images.right);
-  return lying_.show(simulation_->settings(), std::move(images));
+  return lying_.show(simulation_->settings().faults, std::move(images));
 }
 
 void SimulatorNode::publish_truth() {
@@ -350,7 +349,7 @@ void SimulatorNode::publish_truth() {
 }
 
 void SimulatorNode::publish_joint_state() {
-  JointState message = joint_state_message(lying_.tell(simulation_->settings(), simulation_->world().arm()));
+  JointState message = joint_state_message(lying_.tell(simulation_->settings().faults, simulation_->world().arm()));
   message.utime = simulation_->utime();
   joint_states_->publish(message);
 }

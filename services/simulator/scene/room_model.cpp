@@ -17,10 +17,10 @@ std::string box_between(const std::string& name, const Vector3d& from, const Vec
 
 std::string shelf_geoms(const Scene& scene, const Settings& settings, const std::string& surface) {
   const ShelfScene& shelf = scene.shelf;
-  const double front = settings.books_y - shelf.front_overhang;
+  const double front = settings.books.y - shelf.front_overhang;
   const double board_bottom = shelf.top_z - shelf.thickness;
-  const double left = settings.books_x - 0.5 * shelf.width;
-  const double right = settings.books_x + 0.5 * shelf.width;
+  const double left = settings.books.x - 0.5 * shelf.width;
+  const double right = settings.books.x + 0.5 * shelf.width;
   return box_between("shelf", {left, front, board_bottom}, {right, front + shelf.depth, shelf.top_z}) +
          " material=\"wood\"" + surface + "/>\n" +
          box_between("cabinet", {left, front + shelf.cabinet_setback, scene.room.floor_z},
@@ -64,7 +64,7 @@ std::string room_geoms(const Scene& scene) {
 }
 
 std::string furniture_geoms(const Scene& scene, const Settings& settings) {
-  const std::string surface = " friction=\"" + mjcf(settings.books_friction) + " 0.005 0.0001\" " + kStiff;
+  const std::string surface = " friction=\"" + mjcf(settings.books.friction) + " 0.005 0.0001\" " + kStiff;
   return shelf_geoms(scene, settings, surface) + side_table_geoms(scene, surface);
 }
 

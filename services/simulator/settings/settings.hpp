@@ -1,101 +1,57 @@
 #pragma once
 
 // The simulator's settings: named numbers that a person sets with --set name=value and an experiment with SIM_CONTROL.
+// Each part declares its own beside what they act on; here they are put together.
 
-#include <cstddef>
-#include <map>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
-#include "services/simulator/scene/scene.hpp"
+#include "services/simulator/arm/arm_settings.hpp"
+#include "services/simulator/arm/gripper_settings.hpp"
+#include "services/simulator/arm/servo_settings.hpp"
+#include "services/simulator/base/base_settings.hpp"
+#include "services/simulator/cameras/calibration_settings.hpp"
+#include "services/simulator/cameras/frames_settings.hpp"
+#include "services/simulator/cameras/image_settings.hpp"
+#include "services/simulator/cameras/light_settings.hpp"
+#include "services/simulator/faults/fault_settings.hpp"
+#include "services/simulator/readers/reader_settings.hpp"
+#include "services/simulator/scene/books_settings.hpp"
+#include "services/simulator/scene/obstacle_settings.hpp"
+#include "services/simulator/settings/setting.hpp"
 
 namespace markservo::simulator {
 
-// Units as in setting_descriptions().
+struct Scene;
+
 struct Settings {
-  double books_x = 0.0325;
-  double books_y = 0.25;
-  double books_slant_deg = 0.0;
-  double books_friction = 0.5;
-
-  double image_noise_sigma = 3.0;
-  double image_blur_px = 0.0;
-  double light_gain = 1.0;
-  double light_cast_red = 1.0;
-  double light_cast_green = 1.0;
-  double light_cast_blue = 1.0;
-  double light_vary = 1.0;
-
-  double servo_speed_deg_s = 0.0;
-  double servo_acceleration_deg_s2 = 5730.0;
-  double servo_deadband_deg = 0.3;
-  double servo_deadband_kind = 0.0;
-  double servo_backlash_deg = 0.0;
-  double servo_delay_frames = 1.0;
-  double servo_delay_s = 0.0;
-
-  double calibration_f_scale = 1.0;
-  double calibration_b_scale = 1.0;
-  double calibration_arm_x = 0.0;
-  double calibration_arm_y = 0.0;
-  double calibration_arm_z = 0.0;
-  double calibration_arm_yaw_deg = 0.0;
-
-  double arm_link_scale = 1.0;
-  double arm_start_yaw_deg = 0.0;
-  double arm_start_shoulder_deg = 0.0;
-  double arm_start_elbow_deg = 0.0;
-  double arm_start_opening = 0.0;
-
-  double gripper_friction = 1.2;
-  double gripper_speed = 0.1;
-
-  double base_start_x = 0.0;
-  double base_start_y = 0.0;
-  double base_start_heading_deg = 0.0;
-  double base_scale_sigma = 0.0;
-  double base_drift_deg_per_sqrt_m = 0.0;
-  double base_slip = 0.0;
-
-  double rfid_missed = 0.0;
-  double rfid_missing_tags = 0.0;
-  double rfid_survey_error = 0.0;
-  double rfid_delay_s = 0.0;
-  double rfid_delay_jitter_s = 0.0;
-  double rfid_read_time_known = 0.0;
-  double rfid_unknown_rate = 0.0;
-  double rfid_false_rate = 0.0;
-  double rfid_duplicate_rate = 0.0;
-
-  double sonar_noise = 0.01;
-  double sonar_dropout = 0.02;
-
-  double obstacle_present = 0.0;
-  double obstacle_x = 0.0;
-  double obstacle_y = 0.0;
-  double obstacle_size = 0.3;
-
-  double frames_rate_hz = 15.0;
-  double frames_drop_rate = 0.0;
-
-  double faults_frozen_joint = 0.0;
-  double faults_frozen_camera = 0.0;
-  double faults_stuck_encoder = 0.0;
-  double faults_reversed_encoder = 0.0;
+  BooksSettings books;
+  ObstacleSettings obstacle;
+  ImageSettings image;
+  LightSettings light;
+  FramesSettings frames;
+  CalibrationSettings calibration;
+  ServoSettings servo;
+  ArmSettings arm;
+  GripperSettings gripper;
+  BaseSettings base;
+  ReaderSettings readers;
+  FaultSettings faults;
 };
 
-// When a changed setting shows.
-enum class TakesEffect { kAtOnce, kAtReset };
-
+// One number of any part.
 struct SettingDescription {
-  const char* name;
-  double Settings::*value;
+  std::string name;
   double min;
   double max;
   bool whole;  // only whole numbers
   TakesEffect takes_effect;
-  const char* what;  // meaning with unit
+  std::string what;  // meaning with unit
+  std::function<double(const Settings&)> value;
+  std::function<void(Settings&, double)> set;  // without a check
 };
 
 // All settings, in the order of the list for people.
@@ -110,8 +66,17 @@ Settings default_settings(const robot::RobotDescription& robot, const Scene& sce
 // value.
 void set_value(Settings& settings, const std::string& name, double value);
 
+// Names and values as SIM_CONTROL carries them.
+using Assignments = std::vector<std::pair<std::string, double>>;
+
+// `settings` with `changes` on top; throws as set_value.
+Settings with_changes(Settings settings, const Assignments& changes);
+
 // Sets one from "name=value"; throws as set_value.
 void set_from_text(Settings& settings, const std::string& assignment);
+
+// Throws ConfigurationError for a setting that shows only after a reset.
+void require_changeable(const std::string& name);
 
 // Checks what only holds for this robot: the start posture inside the arm's limits, the opening inside the gripper's,
 // a reader's answer after its round. Throws ConfigurationError.
@@ -119,5 +84,8 @@ void check_against_robot(const Settings& settings, const robot::RobotDescription
 
 // "name=value" a line, with the meaning behind it.
 std::string list_settings(const Settings& settings);
+
+// "name, name, ..." of all settings.
+std::string setting_names();
 
 }  // namespace markservo::simulator

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "common/motion/command_lead.hpp"
-#include "common/robot/configuration_error.hpp"
 #include "services/simulator/model/scene_model.hpp"
 #include "services/simulator/random.hpp"
 
@@ -20,19 +19,6 @@ robot::JointVector joint_speeds(const robot::ArmDescription& arm) {
   robot::JointVector speeds;
   for (int i = 0; i < robot::kNumJoints; ++i) speeds[i] = arm.joints[static_cast<std::size_t>(i)].speed;
   return speeds;
-}
-
-Settings with(Settings settings, const Assignments& changes) {
-  for (const auto& [name, value] : changes) set_value(settings, name, value);
-  return settings;
-}
-
-void require_changeable(const std::string& name) {
-  for (const SettingDescription& setting : setting_descriptions()) {
-    if (name == setting.name && setting.takes_effect == TakesEffect::kAtReset) {
-      throw ConfigurationError("setting '" + name + "' cannot change in the running world; allowed: with RESET");
-    }
-  }
 }
 
 }  // namespace
@@ -50,15 +36,15 @@ Simulation::Simulation(robot::RobotDescription robot, Scene scene, const Setting
       epoch_(epoch),
       gate_("JOINT_COMMAND", session),
       base_gate_("BASE_COMMAND", session),
-      schedule_(start.frames_rate_hz, kTimeStep, 0) {}
+      schedule_(start.frames.rate_hz, kTimeStep, 0) {}
 
 std::optional<MobileBase> Simulation::new_base(const Settings& settings, std::uint64_t seed, std::int64_t epoch) const {
   if (!robot_.base) return std::nullopt;
-  return MobileBase(robot_, scene_, settings, seed, epoch);
+  return MobileBase(robot_, scene_.dock.field, settings.base, settings.readers, seed, epoch);
 }
 
 void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
-  const Settings settings = with(start_, changes);
+  const Settings settings = with_changes(start_, changes);
   World world(robot_, scene_, settings, seed);
   base_ = new_base(settings, seed, utime() + kResetPause_us);
   world_ = std::move(world);
@@ -69,22 +55,22 @@ void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
   step_count_ += kResetPause_us / kStep_us;
   frame_number_ = 0;
   exposed_step_ = -1;
-  schedule_ = FrameSchedule(settings_.frames_rate_hz, kTimeStep, step_count_);
+  schedule_ = FrameSchedule(settings_.frames.rate_hz, kTimeStep, step_count_);
 }
 
 void Simulation::set(const Assignments& changes) {
-  const Settings settings = with(settings_, changes);
+  const Settings settings = with_changes(settings_, changes);
   check_against_robot(settings, robot_);
   for (const auto& change : changes) require_changeable(change.first);
-  const bool new_rate = settings.frames_rate_hz != settings_.frames_rate_hz;
+  const bool new_rate = settings.frames.rate_hz != settings_.frames.rate_hz;
   settings_ = settings;
   world_.change(settings_);
-  if (base_) base_->change(settings_);
+  if (base_) base_->change(settings_.readers);
   if (new_rate) restart_schedule();
 }
 
 void Simulation::restart_schedule() {
-  schedule_ = FrameSchedule(settings_.frames_rate_hz, kTimeStep, exposed_step_ >= 0 ? exposed_step_ : step_count_);
+  schedule_ = FrameSchedule(settings_.frames.rate_hz, kTimeStep, exposed_step_ >= 0 ? exposed_step_ : step_count_);
   if (exposed_step_ >= 0) schedule_.advance();
 }
 
@@ -124,9 +110,9 @@ CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::in
   if (answer.verdict != motion::CommandVerdict::kObeyed) return answer;
   if (timing_ == Timing::kLockstep) {
     const std::int64_t answered_number = frame_number_ - std::max<std::int64_t>(0, first_seq_ - frame_seq);
-    delayed_.add(answered_number + std::llround(settings_.servo_delay_frames), command);
+    delayed_.add(answered_number + std::llround(settings_.servo.delay_frames), command);
   } else {
-    delayed_.add(utime() + std::llround(settings_.servo_delay_s * 1e6), command);
+    delayed_.add(utime() + std::llround(settings_.servo.delay_s * 1e6), command);
   }
   return answer;
 }
@@ -185,16 +171,16 @@ void Simulation::expose(std::int64_t seq) {
 
 bool Simulation::dropped() const {
   constexpr std::uint64_t kStream = 0x33;
-  return RandomBits(seed_for(seed_, kStream, frame_number())).uniform() < settings_.frames_drop_rate;
+  return RandomBits(seed_for(seed_, kStream, frame_number())).uniform() < settings_.frames.drop_rate;
 }
 
 ImageEffects Simulation::effects() const {
   ImageEffects effects;
-  effects.blur_px = settings_.image_blur_px;
-  effects.gain_red = settings_.light_gain * settings_.light_cast_red;
-  effects.gain_green = settings_.light_gain * settings_.light_cast_green;
-  effects.gain_blue = settings_.light_gain * settings_.light_cast_blue;
-  effects.noise_sigma = settings_.image_noise_sigma;
+  effects.blur_px = settings_.image.blur_px;
+  effects.gain_red = settings_.light.gain * settings_.light.cast_red;
+  effects.gain_green = settings_.light.gain * settings_.light.cast_green;
+  effects.gain_blue = settings_.light.gain * settings_.light.cast_blue;
+  effects.noise_sigma = settings_.image.noise_sigma;
   return effects;
 }
 

@@ -36,9 +36,6 @@ struct CommandAnswer {
   std::optional<std::size_t> leads;  // the first joint whose command leads the shaft too far, where one does
 };
 
-// Names and values as SIM_CONTROL carries them.
-using Assignments = std::vector<std::pair<std::string, double>>;
-
 class Simulation {
  public:
   // `session` is what all that it tells carries; `epoch`: us, when its time begins. Throws ConfigurationError if the

@@ -98,8 +98,7 @@ World::World(const robot::RobotDescription& robot, const Scene& scene, const Set
       settings_(settings),
       scene_frame_(scene.dock.X_WD(), robot.cameras.p_RC),
       floor_z_(scene.room.floor_z),
-      X_WR_(
-          geometry::pose_from_degrees(settings.base_start_x, settings.base_start_y, settings.base_start_heading_deg)) {
+      X_WR_(settings.base.start()) {
   check_against_robot(settings, robot);
   drop_impossible_box_contacts();
   // MuJoCo would write a log file into the working folder; step() looks at the warnings' counters instead.
@@ -112,8 +111,8 @@ World::World(const robot::RobotDescription& robot, const Scene& scene, const Set
   base_->put(data_.get(), scene_frame_.camera(X_WR_));
   put_obstacle();
 
-  const double start_deg[] = {settings.arm_start_yaw_deg, settings.arm_start_shoulder_deg,
-                              settings.arm_start_elbow_deg};
+  const double start_deg[] = {settings.arm.start_yaw_deg, settings.arm.start_shoulder_deg,
+                              settings.arm.start_elbow_deg};
   const auto drive = [this](const char* name, double start) {
     const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, name);
     JointDrive result{model_->jnt_qposadr[joint], model_->jnt_dofadr[joint], ServoModel(start)};
@@ -123,8 +122,8 @@ World::World(const robot::RobotDescription& robot, const Scene& scene, const Set
   for (int i = 0; i < robot::kNumJoints; ++i)
     joints_.push_back(drive(kJointNames[i], start_deg[i] * kRadiansPerDegree));
   for (const char* name : {kLeftFinger, kRightFinger})
-    fingers_.push_back(drive(name, 0.5 * settings.arm_start_opening));
-  opening_target_ = opening_ramp_ = settings.arm_start_opening;
+    fingers_.push_back(drive(name, 0.5 * settings.arm.start_opening));
+  opening_target_ = opening_ramp_ = settings.arm.start_opening;
   gripper_force_ = robot.arm->gripper.force_max;
 
   left_finger_ = body_id(kLeftFinger);
@@ -151,9 +150,9 @@ int World::body_id(const std::string& name) const {
 }
 
 void World::change(const Settings& settings) {
-  for (const SettingDescription& setting : setting_descriptions()) {
-    if (setting.takes_effect == TakesEffect::kAtOnce) settings_.*setting.value = settings.*setting.value;
-  }
+  settings_.servo = settings.servo;
+  settings_.gripper = settings.gripper;
+  settings_.obstacle = settings.obstacle;
   put_obstacle();
 }
 
@@ -162,13 +161,13 @@ void World::put_obstacle() {
   const int body = body_id(kObstacle);
   const int geom = model_->body_geomadr[body];
   mjtNum* const half = model_->geom_size + kVector * geom;
-  half[0] = half[1] = 0.5 * settings_.obstacle_size;
+  half[0] = half[1] = 0.5 * settings_.obstacle.size;
   model_->geom_rbound[geom] = vector(half).norm();
-  const Eigen::Vector2d p_S = scene_frame_.place({settings_.obstacle_x, settings_.obstacle_y});
+  const Eigen::Vector2d p_S = scene_frame_.place({settings_.obstacle.x, settings_.obstacle.y});
   mjtNum* const position = data_->mocap_pos + kVector * model_->body_mocapid[body];
   position[0] = p_S.x();
   position[1] = p_S.y();
-  position[2] = settings_.obstacle_present != 0.0 ? floor_z_ + 0.5 * kObstacleHeight : kOutOfTheWorld;
+  position[2] = settings_.obstacle.present != 0.0 ? floor_z_ + 0.5 * kObstacleHeight : kOutOfTheWorld;
   const double turn = 0.5 * scene_frame_.camera({}).heading;  // its sides lie along W's axes
   mjtNum* const quaternion = data_->mocap_quat + kQuaternion * model_->body_mocapid[body];
   quaternion[0] = std::cos(turn);
@@ -198,13 +197,13 @@ void World::freeze() {
 
 ServoParameters World::servo_parameters(int joint) const {
   ServoParameters parameters;
-  parameters.speed = settings_.servo_speed_deg_s > 0.0 ? settings_.servo_speed_deg_s * kRadiansPerDegree
+  parameters.speed = settings_.servo.speed_deg_s > 0.0 ? settings_.servo.speed_deg_s * kRadiansPerDegree
                                                        : robot_.arm->joints[static_cast<std::size_t>(joint)].speed;
-  parameters.acceleration = settings_.servo_acceleration_deg_s2 * kRadiansPerDegree;
-  parameters.deadband = settings_.servo_deadband_deg * kRadiansPerDegree;
+  parameters.acceleration = settings_.servo.acceleration_deg_s2 * kRadiansPerDegree;
+  parameters.deadband = settings_.servo.deadband_deg * kRadiansPerDegree;
   parameters.deadband_kind =
-      settings_.servo_deadband_kind == 0.0 ? DeadbandKind::kStopsAtEdge : DeadbandKind::kRunsHome;
-  parameters.backlash = settings_.servo_backlash_deg * kRadiansPerDegree;
+      settings_.servo.deadband_kind == 0.0 ? DeadbandKind::kStopsAtEdge : DeadbandKind::kRunsHome;
+  parameters.backlash = settings_.servo.backlash_deg * kRadiansPerDegree;
   return parameters;
 }
 
@@ -222,7 +221,7 @@ void World::drive_joints() {
 }
 
 void World::drive_gripper() {
-  const double step = settings_.gripper_speed * kTimeStep;
+  const double step = settings_.gripper.speed * kTimeStep;
   const double change = std::clamp(opening_target_ - opening_ramp_, -step, step);
   opening_ramp_ += change;
   opening_speed_ = change / kTimeStep;

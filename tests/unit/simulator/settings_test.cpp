@@ -49,24 +49,24 @@ std::string changed_scene(const std::string& from, const std::string& to) {
 
 TEST(Settings, DefaultsComeFromTheRobot) {
   const Settings settings = default_settings(default_robot(), default_scene(), true);
-  EXPECT_NEAR(settings.arm_start_shoulder_deg, 120.0, 1e-9);
-  EXPECT_EQ(settings.arm_start_opening, 0.05);
-  EXPECT_EQ(settings.frames_rate_hz, 30.0);
-  EXPECT_EQ(default_settings(default_robot(), default_scene(), false).frames_rate_hz, 15.0);
+  EXPECT_NEAR(settings.arm.start_shoulder_deg, 120.0, 1e-9);
+  EXPECT_EQ(settings.arm.start_opening, 0.05);
+  EXPECT_EQ(settings.frames.rate_hz, 30.0);
+  EXPECT_EQ(default_settings(default_robot(), default_scene(), false).frames.rate_hz, 15.0);
 }
 
 TEST(Settings, EveryDefaultIsAllowed) {
   const Settings defaults = default_settings(default_robot(), default_scene(), true);
   for (const auto& setting : setting_descriptions()) {
     Settings settings = defaults;
-    EXPECT_NO_THROW(set_value(settings, setting.name, defaults.*setting.value)) << setting.name;
+    EXPECT_NO_THROW(set_value(settings, setting.name, setting.value(defaults))) << setting.name;
   }
 }
 
 TEST(Settings, AreSetByName) {
   Settings settings;
   set_from_text(settings, "books.slant_deg=-20");
-  EXPECT_EQ(settings.books_slant_deg, -20.0);
+  EXPECT_EQ(settings.books.slant_deg, -20.0);
 }
 
 TEST(Settings, UnknownNamesAreErrorsThatListTheKnown) {
@@ -88,7 +88,7 @@ TEST(Settings, ImpossibleValuesAreErrorsThatNameTheRange) {
 
 TEST(Settings, TheStartPostureStaysInsideTheArmsLimits) {
   Settings settings = default_settings(default_robot(), default_scene(), true);
-  settings.arm_start_elbow_deg = 10.0;
+  settings.arm.start_elbow_deg = 10.0;
   EXPECT_NE(message_of([&] { check_against_robot(settings, default_robot()); }).find("arm.start_elbow_deg"),
             std::string::npos);
 }

@@ -27,7 +27,7 @@ inline Scene test_scene() {
 // The defaults of lockstep with ideal servos, and these on top.
 inline Settings test_settings(const std::vector<std::pair<std::string, double>>& changes = {}) {
   Settings settings = default_settings(test_robot(), test_scene(), true);
-  settings.servo_deadband_deg = 0.0;
+  settings.servo.deadband_deg = 0.0;
   for (const auto& [name, value] : changes) set_value(settings, name, value);
   return settings;
 }
