@@ -2,9 +2,15 @@
 
 #include <cstddef>
 
+#include "common/robot/configuration_error.hpp"
 #include "services/simulator/degrees.hpp"
 
 namespace markservo::simulator {
+
+const robot::ArmDescription& arm_of(const robot::RobotDescription& robot) {
+  if (robot.arm) return *robot.arm;
+  throw ConfigurationError("the simulator's robot has no arm; allowed: a robot.yaml with section 'arm'");
+}
 
 ArmSettings default_arm_settings(const robot::ArmDescription& arm) {
   ArmSettings settings;

@@ -25,6 +25,9 @@ inline constexpr Setting<ArmSettings> kArmSettings[] = {
     {"arm.start_opening", &ArmSettings::start_opening, 0.0, 0.2, TakesEffect::kAtReset, "m, gripper at a reset"},
 };
 
+// Throws ConfigurationError if the robot has none.
+const robot::ArmDescription& arm_of(const robot::RobotDescription& robot);
+
 // At `arm`'s home with the gripper open.
 ArmSettings default_arm_settings(const robot::ArmDescription& arm);
 

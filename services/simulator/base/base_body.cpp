@@ -2,7 +2,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "services/simulator/model/scene_model.hpp"
+#include "services/simulator/base/base_mjcf.hpp"
 
 namespace markservo::simulator {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "services/simulator/model/scene_model.hpp"
+#include "services/simulator/model/time_step.hpp"
 #include "services/simulator/random.hpp"
 
 namespace markservo::simulator {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "services/simulator/model/scene_model.hpp"
+#include "services/simulator/cameras/camera_mjcf.hpp"
 
 namespace markservo::simulator {
 namespace {

@@ -18,7 +18,6 @@
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
 #include "services/simulator/messages/messages.hpp"
-#include "services/simulator/model/scene_model.hpp"
 #include "services/simulator/time/real_time_pace.hpp"
 
 namespace markservo::simulator {

@@ -50,11 +50,6 @@ const SettingDescription& find(const std::string& name) {
   throw ConfigurationError("setting '" + name + "' is unknown; allowed: " + setting_names());
 }
 
-const robot::ArmDescription& arm_of(const robot::RobotDescription& robot) {
-  if (robot.arm) return *robot.arm;
-  throw ConfigurationError("the simulator's robot has no arm; allowed: a robot.yaml with section 'arm'");
-}
-
 }  // namespace
 
 const std::vector<SettingDescription>& setting_descriptions() {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/motion/command_lead.hpp"
-#include "services/simulator/model/scene_model.hpp"
+#include "services/simulator/model/time_step.hpp"
 #include "services/simulator/random.hpp"
 
 namespace markservo::simulator {

@@ -11,24 +11,26 @@
 #include <stdexcept>
 
 #include "common/robot/configuration_error.hpp"
+#include "services/simulator/arm/arm_mjcf.hpp"
+#include "services/simulator/arm/gripper_mjcf.hpp"
+#include "services/simulator/base/base_mjcf.hpp"
 #include "services/simulator/contacts/box_contacts.hpp"
 #include "services/simulator/contacts/surroundings.hpp"
+#include "services/simulator/degrees.hpp"
+#include "services/simulator/marks/mark_mjcf.hpp"
 #include "services/simulator/model/scene_model.hpp"
-#include "services/simulator/scene/room_model.hpp"
+#include "services/simulator/model/time_step.hpp"
+#include "services/simulator/scene/obstacle.hpp"
 
 namespace markservo::simulator {
 namespace {
 
-constexpr double kRadiansPerDegree = 0.017453292519943295;
-
 // The drive that makes the arm follow its servos' shafts: with the joints' armature of 0.15 kg m2 and damping of
 // 60 N m s critically damped at 200 rad/s; a book at arm's length bends it by 0.01 degrees.
 constexpr double kJointStiffness = 6000.0;  // N m/rad
-constexpr double kJointDamping = 60.0;      // N m s/rad, the model's own
 constexpr double kJointTorqueMax = 200.0;   // N m, keeps a collision finite
 
 constexpr double kFingerStiffness = 20000.0;  // N/m
-constexpr double kFingerDamping = 200.0;      // N s/m, the model's own
 
 constexpr double kSettlingTime = 0.3;  // s, for the books to come to rest on the shelf
 
@@ -36,8 +38,6 @@ std::uint64_t next_id() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
 }
-
-const char* const kJointNames[] = {"yaw", "shoulder", "elbow"};
 
 mjModel* compile(const SceneModel& scene_model) {
   // mjVFS is 200 KB of names: not for the stack.
@@ -119,18 +119,16 @@ World::World(const robot::RobotDescription& robot, const Scene& scene, const Set
     data_->qpos[result.qpos] = start;
     return result;
   };
-  for (int i = 0; i < robot::kNumJoints; ++i)
-    joints_.push_back(drive(kJointNames[i], start_deg[i] * kRadiansPerDegree));
-  for (const char* name : {kLeftFinger, kRightFinger})
-    fingers_.push_back(drive(name, 0.5 * settings.arm.start_opening));
+  for (int i = 0; i < robot::kNumJoints; ++i) joints_.push_back(drive(kArmJoints[i], start_deg[i] * kRadiansPerDegree));
+  for (const char* name : kFingers) fingers_.push_back(drive(name, 0.5 * settings.arm.start_opening));
   opening_target_ = opening_ramp_ = settings.arm.start_opening;
   gripper_force_ = robot.arm->gripper.force_max;
 
-  left_finger_ = body_id(kLeftFinger);
-  right_finger_ = body_id(kRightFinger);
+  left_finger_ = body_id(kFingers[0]);
+  right_finger_ = body_id(kFingers[1]);
   grip_site_ = mj_name2id(model_.get(), mjOBJ_SITE, kGripSite);
   is_arm_.assign(static_cast<std::size_t>(model_->nbody), false);
-  const int column = body_id("column");
+  const int column = body_id(kArmColumn);
   for (int body = column; body < model_->nbody; ++body) {
     const int parent = model_->body_parentid[body];
     is_arm_[static_cast<std::size_t>(body)] = body == column || is_arm_[static_cast<std::size_t>(parent)];

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/robot/arm_kinematics.hpp"
-#include "services/simulator/model/scene_model.hpp"
+#include "services/simulator/model/time_step.hpp"
 #include "services/simulator/scene/scene.hpp"
 #include "services/simulator/settings/settings.hpp"
 #include "services/simulator/world/simulation.hpp"

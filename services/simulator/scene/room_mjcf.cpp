@@ -1,4 +1,4 @@
-#include "services/simulator/scene/room_model.hpp"
+#include "services/simulator/scene/room_mjcf.hpp"
 
 #include "services/simulator/contacts/contact_classes.hpp"
 #include "services/simulator/model/mjcf_writer.hpp"
@@ -15,12 +15,12 @@ std::string box_between(const std::string& name, const Vector3d& from, const Vec
   return "<geom " + named(name) + " " + at(0.5 * (from + to)) + " " + box(to - from);
 }
 
-std::string shelf_geoms(const Scene& scene, const Settings& settings, const std::string& surface) {
+std::string shelf_geoms(const Scene& scene, const BooksSettings& settings, const std::string& surface) {
   const ShelfScene& shelf = scene.shelf;
-  const double front = settings.books.y - shelf.front_overhang;
+  const double front = settings.y - shelf.front_overhang;
   const double board_bottom = shelf.top_z - shelf.thickness;
-  const double left = settings.books.x - 0.5 * shelf.width;
-  const double right = settings.books.x + 0.5 * shelf.width;
+  const double left = settings.x - 0.5 * shelf.width;
+  const double right = settings.x + 0.5 * shelf.width;
   return box_between("shelf", {left, front, board_bottom}, {right, front + shelf.depth, shelf.top_z}) +
          " material=\"wood\"" + surface + "/>\n" +
          box_between("cabinet", {left, front + shelf.cabinet_setback, scene.room.floor_z},
@@ -63,15 +63,9 @@ std::string room_geoms(const Scene& scene) {
   return out;
 }
 
-std::string furniture_geoms(const Scene& scene, const Settings& settings) {
-  const std::string surface = " friction=\"" + mjcf(settings.books.friction) + " 0.005 0.0001\" " + kStiff;
+std::string furniture_geoms(const Scene& scene, const BooksSettings& settings) {
+  const std::string surface = " friction=\"" + mjcf(settings.friction) + " 0.005 0.0001\" " + kStiff;
   return shelf_geoms(scene, settings, surface) + side_table_geoms(scene, surface);
-}
-
-std::string obstacle_body() {
-  const std::string name = named(kObstacle);
-  return "<body " + name + " mocap=\"true\"><geom " + name + " " + box({0.3, 0.3, kObstacleHeight}) + " " +
-         coloured({0.35, 0.42, 0.40}) + " material=\"matt\"/></body>\n";
 }
 
 }  // namespace markservo::simulator
