@@ -6,7 +6,7 @@
 #include <deque>
 #include <optional>
 
-#include "services/simulator/world/world.hpp"
+#include "services/simulator/arm/arm_command.hpp"
 
 namespace markservo::simulator {
 

@@ -13,17 +13,17 @@ std::array<double, 3> values(const geometry::PlanePose& pose) {
 
 }  // namespace
 
-BaseBody::BaseBody(const mjModel_* model) {
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const int joint = mj_name2id(model, mjOBJ_JOINT, kBaseJoints[i]);
-    joints_[i] = {model->jnt_qposadr[joint], model->jnt_dofadr[joint]};
-  }
+BaseBody::BaseBody(const mjModel_* model, mjData_* data, const SceneFrame& frame, const geometry::PlanePose& X_WR)
+    : frame_(frame) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) joints_[i] = joint_address(model, kBaseJoints[i]);
+  aim(X_WR);
+  arrive(data);
+  for (const JointAddress& joint : joints_) data->qvel[joint.dof] = 0.0;
 }
 
-void BaseBody::put(mjData_* data, const geometry::PlanePose& X_SC) {
-  next_ = X_SC;
-  arrive(data);
-  for (const Joint& joint : joints_) data->qvel[joint.dof] = 0.0;
+void BaseBody::aim(const geometry::PlanePose& X_WR) {
+  X_WR_ = X_WR;
+  next_ = frame_.camera(X_WR);
 }
 
 void BaseBody::depart(mjData_* data, double dt) const {

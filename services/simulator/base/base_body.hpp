@@ -7,6 +7,8 @@
 #include <array>
 
 #include "common/geometry/plane_pose.hpp"
+#include "services/simulator/model/joint_address.hpp"
+#include "services/simulator/scene/scene_frame.hpp"
 
 struct mjModel_;
 struct mjData_;
@@ -15,29 +17,28 @@ namespace markservo::simulator {
 
 class BaseBody {
  public:
-  explicit BaseBody(const mjModel_* model);
-
-  // Puts it to `X_SC`, standing still.
-  void put(mjData_* data, const geometry::PlanePose& X_SC);
+  // Puts the base of `data` to `X_WR`, standing still.
+  BaseBody(const mjModel_* model, mjData_* data, const SceneFrame& frame, const geometry::PlanePose& X_WR);
 
   // Where the next step shall end.
-  void aim(const geometry::PlanePose& X_SC) { next_ = X_SC; }
+  void aim(const geometry::PlanePose& X_WR);
 
   // Before a step of `dt` (s): gives it the speed that takes it to its aim.
   void depart(mjData_* data, double dt) const;
   // After it: it is there, without the rounding and the arm's push.
   void arrive(mjData_* data);
 
+  // Where it was last aimed at.
+  const geometry::PlanePose& X_WR() const { return X_WR_; }
+  // Where it is.
   Eigen::Isometry3d X_SC() const;
 
  private:
-  struct Joint {
-    int qpos;  // address in qpos
-    int dof;   // address in qvel
-  };
-  std::array<Joint, 3> joints_{};  // x, y, turn
-  geometry::PlanePose now_;
-  geometry::PlanePose next_;
+  SceneFrame frame_;
+  std::array<JointAddress, 3> joints_{};  // x, y, turn
+  geometry::PlanePose X_WR_;              // of next_
+  geometry::PlanePose now_;               // X_SC
+  geometry::PlanePose next_;              // X_SC
 };
 
 }  // namespace markservo::simulator

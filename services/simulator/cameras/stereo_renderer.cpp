@@ -9,6 +9,7 @@
 #include <string>
 
 #include "services/simulator/cameras/camera_mjcf.hpp"
+#include "services/simulator/world/world.hpp"
 
 namespace markservo::simulator {
 namespace {

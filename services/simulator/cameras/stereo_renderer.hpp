@@ -3,16 +3,12 @@
 // Draws what both cameras see, without GPU or display: EGL without a surface, 4 x multisampling. One per thread.
 
 #include <memory>
-#include <opencv2/core.hpp>
 
-#include "services/simulator/world/world.hpp"
+#include "services/simulator/cameras/image_pair.hpp"
 
 namespace markservo::simulator {
 
-struct ImagePair {
-  cv::Mat left;   // CV_8UC3, blue first, rows from the top
-  cv::Mat right;  // likewise
-};
+class World;
 
 class StereoRenderer {
  public:

@@ -1,21 +1,16 @@
 #include "services/simulator/contacts/box_contacts.hpp"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <mutex>
+
+#include "services/simulator/model/mujoco_arrays.hpp"
 
 namespace markservo::simulator {
 namespace {
 
 // A contact lies midway between the two surfaces, so within half its depth of each; depths are far below this.
 constexpr double kTolerance = 0.01;  // m
-
-// Numbers a vector and a rotation matrix take in MuJoCo's arrays.
-constexpr std::ptrdiff_t kVector = 3;
-constexpr std::ptrdiff_t kMatrix = 9;
 
 mjfCollision box_box = nullptr;
 

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "services/simulator/arm/arm_command.hpp"
 #include "services/simulator/base/base_rig.hpp"
-#include "services/simulator/cameras/stereo_renderer.hpp"
+#include "services/simulator/cameras/image_pair.hpp"
 #include "services/simulator/faults/fault_settings.hpp"
-#include "services/simulator/world/world.hpp"
 
 namespace markservo::simulator {
 

@@ -9,9 +9,10 @@
 #include <opencv2/core.hpp>
 
 #include "common/robot/robot_description.hpp"
+#include "services/simulator/arm/arm_command.hpp"
 #include "services/simulator/cameras/calibration_settings.hpp"
-#include "services/simulator/cameras/stereo_renderer.hpp"
-#include "services/simulator/world/world.hpp"
+#include "services/simulator/cameras/image_pair.hpp"
+#include "services/simulator/world/world_truth.hpp"
 
 namespace markservo::simulator {
 

@@ -2,12 +2,12 @@
 
 // The ring of sonars: where its beams go, and what it makes of the distances that they meet.
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
+#include "services/simulator/readers/ray.hpp"
 #include "services/simulator/readers/sonar_reading.hpp"
 
 namespace markservo::simulator {
@@ -15,11 +15,6 @@ namespace markservo::simulator {
 struct SonarParameters {
   double noise = 0.01;    // m, standard deviation of a range
   double dropout = 0.02;  // share of echoes that are lost, [0, 1]
-};
-
-struct Ray {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();     // m
-  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // unit vector
 };
 
 class SonarModel {
