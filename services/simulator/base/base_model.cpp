@@ -88,18 +88,17 @@ BaseModel::BaseModel(const robot::BaseDescription& base, const BaseModelParamete
 void BaseModel::command(double speed, double turn_rate) {
   require(std::isfinite(speed), "speed", speed, "a finite number");
   require(std::isfinite(turn_rate), "turn_rate", turn_rate, "a finite number");
-  wanted_speed_ = std::clamp(speed, -base_.speed_max, base_.speed_max);
-  wanted_turn_rate_ = std::clamp(turn_rate, -base_.turn_rate_max, base_.turn_rate_max);
+  wanted_.speed = std::clamp(speed, -base_.speed_max, base_.speed_max);
+  wanted_.turn_rate = std::clamp(turn_rate, -base_.turn_rate_max, base_.turn_rate_max);
 }
 
 void BaseModel::step(double dt) {
   require(std::isfinite(dt) && dt > 0.0, "dt", dt, "above 0 s");
-  const double old_speed = wheel_speed_;
-  const double old_turn_rate = wheel_turn_rate_;
-  wheel_speed_ = approach(old_speed, wanted_speed_, base_.acceleration_max * dt);
-  wheel_turn_rate_ = approach(old_turn_rate, wanted_turn_rate_, base_.turn_acceleration_max * dt);
-  const double told_way = 0.5 * (old_speed + wheel_speed_) * dt;
-  const double told_turn = 0.5 * (old_turn_rate + wheel_turn_rate_) * dt;
+  const Motion old = wheels_;
+  wheels_.speed = approach(old.speed, wanted_.speed, base_.acceleration_max * dt);
+  wheels_.turn_rate = approach(old.turn_rate, wanted_.turn_rate, base_.turn_acceleration_max * dt);
+  const double told_way = 0.5 * (old.speed + wheels_.speed) * dt;
+  const double told_turn = 0.5 * (old.turn_rate + wheels_.turn_rate) * dt;
 
   const double half_track = 0.5 * base_.track;
   const double left = scale_ * left_.roll(told_way - half_track * told_turn, parameters_, noise_per_sqrt_m_);
@@ -107,8 +106,7 @@ void BaseModel::step(double dt) {
   const double way = 0.5 * (left + right);
   const double turn = (right - left) / base_.track;
   pose_ = along_arc(pose_, way, turn);
-  speed_ = way / dt;
-  turn_rate_ = turn / dt;
+  true_motion_ = {way / dt, turn / dt};
 }
 
 WheelTicks BaseModel::ticks() const {

@@ -41,9 +41,9 @@ class BaseModel {
   // Lets `dt` (s, above 0) pass.
   void step(double dt);
 
-  const geometry::PlanePose& pose() const { return pose_; }  // the true X_WR
-  double speed() const { return speed_; }                    // m/s, the true one over the last step
-  double turn_rate() const { return turn_rate_; }            // rad/s, the true one over the last step
+  const geometry::PlanePose& pose() const { return pose_; }    // the true X_WR
+  double speed() const { return true_motion_.speed; }          // m/s, the true one over the last step
+  double turn_rate() const { return true_motion_.turn_rate; }  // rad/s, the true one over the last step
 
   WheelTicks ticks() const;
   double left_distance() const { return left_.distance(tick_); }    // m since the start, from the ticks
@@ -72,6 +72,11 @@ class BaseModel {
     double noise_share_ = 0.0;  // of this stretch
   };
 
+  struct Motion {
+    double speed = 0.0;      // m/s
+    double turn_rate = 0.0;  // rad/s
+  };
+
   std::int32_t wrapped(std::int64_t count) const;
 
   robot::BaseDescription base_;
@@ -82,12 +87,9 @@ class BaseModel {
   geometry::PlanePose pose_;
   Wheel left_;
   Wheel right_;
-  double wanted_speed_ = 0.0;
-  double wanted_turn_rate_ = 0.0;
-  double wheel_speed_ = 0.0;      // m/s, as the encoders measure it
-  double wheel_turn_rate_ = 0.0;  // rad/s, as the encoders measure it
-  double speed_ = 0.0;
-  double turn_rate_ = 0.0;
+  Motion wanted_;       // of the wheels
+  Motion wheels_;       // as the encoders measure it
+  Motion true_motion_;  // over the last step
 };
 
 }  // namespace markservo::simulator

@@ -8,7 +8,7 @@
 namespace markservo::simulator {
 namespace {
 
-static_assert(BaseRig::kStep_us == static_cast<std::int64_t>(kTimeStep * 1e6), "base and world take the same steps");
+static_assert(BaseRig::kStep_us == kTimeStep_us, "base and world take the same steps");
 
 constexpr std::uint64_t kSonarStream = 0xA1;
 

@@ -88,6 +88,16 @@ void apply_gains(const ImageEffects& effects, cv::Mat& image) {
 
 }  // namespace
 
+ImageEffects image_effects(const ImageSettings& image, const LightSettings& light) {
+  ImageEffects effects;
+  effects.blur_px = image.blur_px;
+  effects.gain_red = light.gain * light.cast_red;
+  effects.gain_green = light.gain * light.cast_green;
+  effects.gain_blue = light.gain * light.cast_blue;
+  effects.noise_sigma = image.noise_sigma;
+  return effects;
+}
+
 void apply_effects(const ImageEffects& effects, std::uint64_t noise_seed, cv::Mat& image) {
   if (image.type() != CV_8UC3 || !image.isContinuous()) {
     throw std::invalid_argument("apply_effects: the image is not continuous 8-bit with three channels");

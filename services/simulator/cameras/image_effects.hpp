@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <opencv2/core.hpp>
 
+#include "services/simulator/cameras/image_settings.hpp"
+#include "services/simulator/cameras/light_settings.hpp"
+
 namespace markservo::simulator {
 
 struct ImageEffects {
@@ -15,6 +18,8 @@ struct ImageEffects {
   double gain_blue = 1.0;
   double noise_sigma = 0.0;  // grey levels of 256, each channel, 0 or more
 };
+
+ImageEffects image_effects(const ImageSettings& image, const LightSettings& light);
 
 // Changes `image` (CV_8UC3, blue first) in place: blur, then gains, then noise drawn from `noise_seed`; clipped to
 // 0..255.

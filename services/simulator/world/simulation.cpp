@@ -1,18 +1,14 @@
 #include "services/simulator/world/simulation.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "common/motion/command_lead.hpp"
-#include "services/simulator/model/time_step.hpp"
-#include "services/simulator/random.hpp"
 
 namespace markservo::simulator {
 namespace {
 
-const std::int64_t kStep_us = std::llround(kTimeStep * 1e6);
 constexpr std::int64_t kResetPause_us = 1'000'000;
 
 robot::JointVector joint_speeds(const robot::ArmDescription& arm) {
@@ -33,10 +29,9 @@ Simulation::Simulation(robot::RobotDescription robot, Scene scene, const Setting
       timing_(timing),
       world_(robot_, scene_, start, seed),
       base_(new_base(start, seed, epoch)),
-      epoch_(epoch),
-      gate_("JOINT_COMMAND", session),
-      base_gate_("BASE_COMMAND", session),
-      schedule_(start.frames.rate_hz, kTimeStep, 0) {}
+      time_(epoch),
+      control_(session),
+      exposures_(start.frames.rate_hz, 0) {}
 
 std::optional<MobileBase> Simulation::new_base(const Settings& settings, std::uint64_t seed, std::int64_t epoch) const {
   if (!robot_.base) return std::nullopt;
@@ -50,12 +45,10 @@ void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
   world_ = std::move(world);
   settings_ = settings;
   seed_ = seed;
-  latch_.latch("the world was reset");
+  control_.latch("the world was reset");
   delayed_.clear();
-  step_count_ += kResetPause_us / kStep_us;
-  frame_number_ = 0;
-  exposed_step_ = -1;
-  schedule_ = FrameSchedule(settings_.frames.rate_hz, kTimeStep, step_count_);
+  time_.leap(kResetPause_us);
+  exposures_.restart(settings_.frames.rate_hz, time_.steps());
 }
 
 void Simulation::set(const Assignments& changes) {
@@ -66,20 +59,12 @@ void Simulation::set(const Assignments& changes) {
   settings_ = settings;
   world_.change(settings_);
   if (base_) base_->change(settings_.readers);
-  if (new_rate) restart_schedule();
-}
-
-void Simulation::restart_schedule() {
-  schedule_ = FrameSchedule(settings_.frames.rate_hz, kTimeStep, exposed_step_ >= 0 ? exposed_step_ : step_count_);
-  if (exposed_step_ >= 0) schedule_.advance();
+  if (new_rate) exposures_.change_rate(settings_.frames.rate_hz, time_.steps());
 }
 
 motion::StopHeard Simulation::request(const motion::StopRequestStamp& request) {
-  std::string obstacle = gate_.obstacle(utime());
-  if (obstacle.empty()) obstacle = base_gate_.obstacle(utime());
-  const motion::StopHeard heard = latch_.hear(request, utime(), obstacle);
+  const motion::StopHeard heard = control_.request(request, utime());
   if (heard == motion::StopHeard::kLatched) freeze();
-  if (heard == motion::StopHeard::kReleased) release();
   return heard;
 }
 
@@ -87,11 +72,6 @@ void Simulation::freeze() {
   if (base_) base_->freeze();
   delayed_.clear();
   world_.freeze();
-}
-
-void Simulation::release() {
-  gate_.release(frame_utime_);
-  base_gate_.release(odometry_utime_);
 }
 
 CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::int64_t frame_seq,
@@ -102,28 +82,21 @@ CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::in
                        motion::leading_joint(command.position, speed, world_.arm().position)};
   motion::OfferedCommand judged = offered;
   judged.leads = answer.leads.has_value();
-  answer.verdict = gate_.offer(judged, utime(), latch_.latched());
-  if (answer.verdict == motion::CommandVerdict::kTwoWriters) {
-    latch_.latch(gate_.two_writers());
-    freeze();
-  }
-  if (answer.verdict != motion::CommandVerdict::kObeyed) return answer;
-  if (timing_ == Timing::kLockstep) {
-    const std::int64_t answered_number = frame_number_ - std::max<std::int64_t>(0, first_seq_ - frame_seq);
-    delayed_.add(answered_number + std::llround(settings_.servo.delay_frames), command);
-  } else {
-    delayed_.add(utime() + std::llround(settings_.servo.delay_s * 1e6), command);
-  }
+  answer.verdict = control_.offer_arm(judged, utime());
+  if (answer.verdict == motion::CommandVerdict::kTwoWriters) freeze();
+  if (answer.verdict == motion::CommandVerdict::kObeyed) delayed_.add(effect_of(frame_seq), command);
   return answer;
+}
+
+std::int64_t Simulation::effect_of(std::int64_t frame_seq) const {
+  if (timing_ == Timing::kRealTime) return utime() + std::llround(settings_.servo.delay_s * 1e6);
+  return exposures_.number_of(frame_seq) + std::llround(settings_.servo.delay_frames);
 }
 
 motion::CommandVerdict Simulation::command_base(const motion::OfferedCommand& offered, double speed, double turn_rate) {
   if (!base_) return motion::CommandVerdict::kOtherMover;
-  const auto verdict = base_gate_.offer(offered, utime(), latch_.latched());
-  if (verdict == motion::CommandVerdict::kTwoWriters) {
-    latch_.latch(base_gate_.two_writers());
-    freeze();
-  }
+  const motion::CommandVerdict verdict = control_.offer_base(offered, utime());
+  if (verdict == motion::CommandVerdict::kTwoWriters) freeze();
   if (verdict == motion::CommandVerdict::kObeyed) base_->command(speed, turn_rate);
   return verdict;
 }
@@ -138,9 +111,9 @@ MobileBaseTruth Simulation::base_truth() const {
 }
 
 void Simulation::step() {
-  const std::int64_t now = timing_ == Timing::kLockstep ? frame_number_ : utime();
+  const std::int64_t now = timing_ == Timing::kLockstep ? exposures_.number() : utime();
   if (const auto due = delayed_.take(now)) world_.command(*due);
-  if (gate_.silent(utime())) {
+  if (control_.arm_is_silent(utime())) {
     delayed_.clear();
     world_.freeze();
   }
@@ -149,39 +122,16 @@ void Simulation::step() {
   } else {
     world_.step();
   }
-  ++step_count_;
-}
-
-std::int64_t Simulation::utime() const {
-  return epoch_ + elapsed_us();
-}
-
-std::int64_t Simulation::elapsed_us() const {
-  return step_count_ * kStep_us;
+  time_.step();
 }
 
 void Simulation::expose(std::int64_t seq) {
-  frame_utime_ = utime();
-  if (exposed_step_ == step_count_) return;
-  exposed_step_ = step_count_;
-  first_seq_ = seq;
-  ++frame_number_;
-  schedule_.advance();
+  control_.note_frame(utime());
+  exposures_.expose(time_.steps(), seq);
 }
 
-bool Simulation::dropped() const {
-  constexpr std::uint64_t kStream = 0x33;
-  return RandomBits(seed_for(seed_, kStream, frame_number())).uniform() < settings_.frames.drop_rate;
-}
-
-ImageEffects Simulation::effects() const {
-  ImageEffects effects;
-  effects.blur_px = settings_.image.blur_px;
-  effects.gain_red = settings_.light.gain * settings_.light.cast_red;
-  effects.gain_green = settings_.light.gain * settings_.light.cast_green;
-  effects.gain_blue = settings_.light.gain * settings_.light.cast_blue;
-  effects.noise_sigma = settings_.image.noise_sigma;
-  return effects;
+std::uint64_t Simulation::noise_seed_of(int side) const {
+  return noise_seed(seed_, static_cast<std::uint64_t>(exposures_.number()), side);
 }
 
 }  // namespace markservo::simulator

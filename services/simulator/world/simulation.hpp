@@ -6,18 +6,16 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "common/motion/command_gate.hpp"
-#include "common/motion/stop_latch.hpp"
 #include "common/robot/robot_description.hpp"
 #include "services/simulator/arm/delayed_commands.hpp"
 #include "services/simulator/base/mobile_base.hpp"
-#include "services/simulator/cameras/frame_schedule.hpp"
+#include "services/simulator/cameras/exposures.hpp"
 #include "services/simulator/cameras/image_effects.hpp"
 #include "services/simulator/scene/scene.hpp"
 #include "services/simulator/settings/settings.hpp"
+#include "services/simulator/world/motion_control.hpp"
+#include "services/simulator/world/simulated_time.hpp"
 #include "services/simulator/world/world.hpp"
 
 namespace markservo::simulator {
@@ -55,8 +53,8 @@ class Simulation {
   // the base brakes. Released, they move when a command answers a frame exposed after this, or an odometry told after
   // this.
   motion::StopHeard request(const motion::StopRequestStamp& request);
-  std::string why_stale(const motion::StopRequestStamp& request) const { return latch_.why_stale(request, utime()); }
-  const motion::StopLatch& latch() const { return latch_; }
+  std::string why_stale(const motion::StopRequestStamp& request) const { return latch().why_stale(request, utime()); }
+  const motion::StopLatch& latch() const { return control_.stop(); }
 
   // A command that comes now, in answer to frame `frame_seq`. Two writers of it latch all.
   CommandAnswer command(const motion::OfferedCommand& offered, std::int64_t frame_seq, const ArmCommand& command);
@@ -66,8 +64,9 @@ class Simulation {
 
   // Lets kTimeStep pass. Throws std::runtime_error if the physics diverged.
   void step();
-  std::int64_t utime() const;       // us
-  std::int64_t elapsed_us() const;  // since the epoch
+  std::int64_t utime() const { return time_.utime(); }            // us
+  std::int64_t elapsed_us() const { return time_.elapsed_us(); }  // since the epoch
+  Timing timing() const { return timing_; }
 
   bool has_base() const { return base_.has_value(); }
   // What the base's devices tell that has become due since the last call; nothing from a robot without a base.
@@ -75,28 +74,28 @@ class Simulation {
   // What is true about the base. Throws std::logic_error if the robot has none.
   MobileBaseTruth base_truth() const;
   // The newest odometry was told now.
-  void told_odometry() { odometry_utime_ = utime(); }
+  void told_odometry() { control_.note_odometry(utime()); }
 
   // True when the next frame's exposure is now.
-  bool frame_due() const { return step_count_ >= schedule_.next(); }
+  bool frame_due() const { return exposures_.due(time_.steps()); }
   // Exposes the frame `seq` now. An exposure may be repeated under a new seq while time stands still.
   void expose(std::int64_t seq);
   // True if the exposed frame is one of the lost ones.
-  bool dropped() const;
+  bool dropped() const { return exposures_.lost(seed_, settings_.frames.drop_rate); }
   // Seeds of the exposed frame's noise; side 0 is left, 1 right.
-  std::uint64_t noise_seed_of(int side) const { return noise_seed(seed_, frame_number(), side); }
-  ImageEffects effects() const;
+  std::uint64_t noise_seed_of(int side) const;
+  ImageEffects effects() const { return image_effects(settings_.image, settings_.light); }
 
   World& world() { return world_; }
+  const World& world() const { return world_; }
   const robot::RobotDescription& robot() const { return robot_; }
   const Settings& settings() const { return settings_; }
   std::uint64_t seed() const { return seed_; }
 
  private:
-  std::uint64_t frame_number() const { return static_cast<std::uint64_t>(frame_number_); }
-  void restart_schedule();
   void freeze();
-  void release();
+  // The frame or the time (us) at which a command in answer to frame `frame_seq` takes effect.
+  std::int64_t effect_of(std::int64_t frame_seq) const;
   std::optional<MobileBase> new_base(const Settings& settings, std::uint64_t seed, std::int64_t epoch) const;
 
   robot::RobotDescription robot_;
@@ -107,18 +106,10 @@ class Simulation {
   Timing timing_;
   World world_;
   std::optional<MobileBase> base_;
-  std::int64_t epoch_;
-  motion::StopLatch latch_{"the simulated world"};
-  motion::CommandGate gate_;
-  motion::CommandGate base_gate_;
+  SimulatedTime time_;
+  MotionControl control_;
   DelayedCommands delayed_;
-  FrameSchedule schedule_;
-  std::int64_t step_count_ = 0;      // since the start; time is counted by it
-  std::int64_t frame_number_ = 0;    // since the reset, of the exposed frame; 0 before the first
-  std::int64_t frame_utime_ = 0;     // us, of the exposed frame; 0 before the first
-  std::int64_t odometry_utime_ = 0;  // us, of the newest odometry told; likewise
-  std::int64_t first_seq_ = 0;       // of the exposed frame, as first sent
-  std::int64_t exposed_step_ = -1;
+  Exposures exposures_;
 };
 
 }  // namespace markservo::simulator
