@@ -9,12 +9,6 @@
 
 namespace markservo::simulator {
 
-const std::vector<std::string>& BaseNode::answering_channels() {
-  static const std::vector<std::string> names = {channels::kBaseCommand.name, channels::kBaseStatus.name,
-                                                 channels::kRobotPose.name};
-  return names;
-}
-
 BaseNode::BaseNode(bus::Bus& bus, Simulation& simulation, const std::vector<std::string>& awaited)
     : simulation_(&simulation),
       barrier_(awaited),

@@ -22,10 +22,7 @@ namespace markservo::simulator {
 
 class BaseNode {
  public:
-  // The channels that answer an odometry: lockstep may await them.
-  static const std::vector<std::string>& answering_channels();
-
-  // `simulation` has a base and outlives this. In lockstep `awaited`, some of the answering channels, must answer each
+  // `simulation` has a base and outlives this. In lockstep `awaited`, channels that answer odometries, must answer each
   // odometry.
   BaseNode(bus::Bus& bus, Simulation& simulation, const std::vector<std::string>& awaited);
   BaseNode(const BaseNode&) = delete;
