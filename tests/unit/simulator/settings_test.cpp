@@ -6,6 +6,7 @@
 #include <functional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "common/robot/configuration_error.hpp"
 #include "services/simulator/model/scene_model.hpp"
@@ -61,6 +62,29 @@ TEST(Settings, EveryDefaultIsAllowed) {
     Settings settings = defaults;
     EXPECT_NO_THROW(set_value(settings, setting.name, setting.value(defaults))) << setting.name;
   }
+}
+
+TEST(Settings, EveryNameIsTakenOnceAndSetsANumberOfItsOwn) {
+  for (const auto& setting : setting_descriptions()) {
+    Settings settings;
+    setting.set(settings, 0.125);
+    for (const auto& other : setting_descriptions()) {
+      if (&other == &setting) continue;
+      EXPECT_NE(other.name, setting.name);
+      EXPECT_EQ(other.value(settings), other.value(Settings())) << other.name << " changed with " << setting.name;
+    }
+    EXPECT_EQ(setting.value(settings), 0.125) << setting.name;
+  }
+}
+
+TEST(Settings, OnesOfAPartStandTogetherInTheList) {
+  std::vector<std::string> parts;
+  for (const auto& setting : setting_descriptions()) {
+    const std::string part = setting.name.substr(0, setting.name.find('.'));
+    if (parts.empty() || parts.back() != part) parts.push_back(part);
+  }
+  EXPECT_EQ(parts, (std::vector<std::string>{"books", "image", "light", "servo", "calibration", "arm", "gripper",
+                                             "base", "rfid", "sonar", "obstacle", "frames", "faults"}));
 }
 
 TEST(Settings, AreSetByName) {
