@@ -24,7 +24,7 @@ motion::CommandVerdict MotionControl::offer_base(const motion::OfferedCommand& c
 motion::CommandVerdict MotionControl::offer(motion::CommandGate& gate, const motion::OfferedCommand& command,
                                             std::int64_t now) {
   const motion::CommandVerdict verdict = gate.offer(command, now, latch_.latched());
-  if (verdict == motion::CommandVerdict::kTwoWriters) latch_.latch(gate.two_writers());
+  if (verdict == motion::CommandVerdict::kTwoWriters) latch_.latch(gate.two_writers(), now);
   return verdict;
 }
 

@@ -20,7 +20,7 @@ class MotionControl {
   // after this.
   motion::StopHeard request(const motion::StopRequestStamp& request, std::int64_t now);
   // By the simulation itself.
-  void latch(const std::string& reason) { latch_.latch(reason); }
+  void latch(const std::string& reason, std::int64_t now) { latch_.latch(reason, now); }
   const motion::StopLatch& stop() const { return latch_; }
 
   // What becomes of a command that comes now. Two writers of it latch.

@@ -45,7 +45,7 @@ void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
   world_ = std::move(world);
   settings_ = settings;
   seed_ = seed;
-  control_.latch("the world was reset");
+  control_.latch("the world was reset", utime());
   delayed_.clear();
   time_.leap(kResetPause_us);
   exposures_.restart(settings_.frames.rate_hz, time_.steps());
