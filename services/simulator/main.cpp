@@ -1,7 +1,7 @@
 // simulator: a MuJoCo world with the robot of config/robot.yaml and the books of a scene, in place of real hardware.
 
 #include "common/bus/service.hpp"
-#include "services/simulator/simulator_node.hpp"
+#include "services/simulator/node/simulator_node.hpp"
 
 int main(int argc, char** argv) {
   markservo::simulator::SimulatorNode node;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "services/simulator/base_rig.hpp"
+#include "services/simulator/base/base_rig.hpp"
 #include "tests/experiments/localisation/robot_variant.hpp"
 
 namespace markservo::experiments {

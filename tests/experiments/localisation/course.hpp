@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
-#include "services/simulator/base_rig.hpp"
+#include "services/simulator/base/base_rig.hpp"
 #include "tests/experiments/localisation/cases.hpp"
 #include "tests/experiments/localisation/true_path.hpp"
 

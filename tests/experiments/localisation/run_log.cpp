@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "common/bus/safe_decode.hpp"
-#include "services/simulator/base_messages.hpp"
+#include "services/simulator/messages/base_messages.hpp"
 
 namespace markservo::experiments {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "services/rfid-localizer/localizer.hpp"
-#include "services/simulator/base_rig.hpp"
+#include "services/simulator/base/base_rig.hpp"
 
 namespace markservo::rfid_localizer::test {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "common/bus/bus_url.hpp"
-#include "services/simulator/simulation.hpp"
+#include "services/simulator/world/simulation.hpp"
 #include "tests/unit/simulator/simulator_process.hpp"
 
 namespace markservo::simulator {

@@ -1,4 +1,4 @@
-#include "services/simulator/base_model.hpp"
+#include "services/simulator/base/base_model.hpp"
 
 #include <gtest/gtest.h>
 

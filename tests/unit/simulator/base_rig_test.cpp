@@ -1,4 +1,4 @@
-#include "services/simulator/base_rig.hpp"
+#include "services/simulator/base/base_rig.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "services/simulator/box_contacts.hpp"
+#include "services/simulator/contacts/box_contacts.hpp"
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/simulator/simulation.hpp"
+#include "services/simulator/world/simulation.hpp"
 #include "tests/unit/simulator/test_world.hpp"
 
 namespace markservo::simulator {

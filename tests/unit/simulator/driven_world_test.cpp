@@ -156,7 +156,7 @@ TEST(DrivenWorld, AnObstacleAppearsAndLeavesAtOnce) {
   ASSERT_TRUE(world.cast_rays(ahead)[0].has_value());
   EXPECT_NEAR(*world.cast_rays(ahead)[0], 0.85 - 0.2 - 0.27, 1e-9);
   EXPECT_NEAR(world.clearance(), 0.85 - 0.2 - 0.27, 1e-9);
-  settings.obstacle_present = 0.0;
+  settings.obstacle.present = 0.0;
   world.change(settings);
   EXPECT_NEAR(*world.cast_rays(ahead)[0], free_way, 1e-9);
   EXPECT_NEAR(world.clearance(), without, 1e-9);

@@ -1,4 +1,4 @@
-#include "services/simulator/footprint.hpp"
+#include "services/simulator/contacts/footprint.hpp"
 
 #include <gtest/gtest.h>
 

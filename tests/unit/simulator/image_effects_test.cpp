@@ -1,4 +1,4 @@
-#include "services/simulator/image_effects.hpp"
+#include "services/simulator/cameras/image_effects.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "services/simulator/delayed_commands.hpp"
-#include "services/simulator/frame_schedule.hpp"
-#include "services/simulator/lockstep_barrier.hpp"
+#include "services/simulator/arm/delayed_commands.hpp"
+#include "services/simulator/cameras/frame_schedule.hpp"
+#include "services/simulator/time/lockstep_barrier.hpp"
 
 namespace markservo::simulator {
 namespace {

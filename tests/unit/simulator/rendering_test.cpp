@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "common/geometry/stereo_camera.hpp"
-#include "services/simulator/stereo_renderer.hpp"
+#include "services/simulator/cameras/stereo_renderer.hpp"
 #include "tests/unit/simulator/test_world.hpp"
 
 namespace markservo::simulator {

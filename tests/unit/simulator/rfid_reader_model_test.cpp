@@ -1,4 +1,4 @@
-#include "services/simulator/rfid_reader_model.hpp"
+#include "services/simulator/readers/rfid_reader_model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "services/simulator/servo_model.hpp"
+#include "services/simulator/arm/servo_model.hpp"
 
 #include <gtest/gtest.h>
 

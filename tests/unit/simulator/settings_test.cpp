@@ -1,4 +1,4 @@
-#include "services/simulator/settings.hpp"
+#include "services/simulator/settings/settings.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,11 @@
 #include <functional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/simulator/scene.hpp"
-#include "services/simulator/scene_model.hpp"
+#include "services/simulator/model/scene_model.hpp"
+#include "services/simulator/scene/scene.hpp"
 
 namespace markservo::simulator {
 namespace {
@@ -49,24 +50,47 @@ std::string changed_scene(const std::string& from, const std::string& to) {
 
 TEST(Settings, DefaultsComeFromTheRobot) {
   const Settings settings = default_settings(default_robot(), default_scene(), true);
-  EXPECT_NEAR(settings.arm_start_shoulder_deg, 120.0, 1e-9);
-  EXPECT_EQ(settings.arm_start_opening, 0.05);
-  EXPECT_EQ(settings.frames_rate_hz, 30.0);
-  EXPECT_EQ(default_settings(default_robot(), default_scene(), false).frames_rate_hz, 15.0);
+  EXPECT_NEAR(settings.arm.start_shoulder_deg, 120.0, 1e-9);
+  EXPECT_EQ(settings.arm.start_opening, 0.05);
+  EXPECT_EQ(settings.frames.rate_hz, 30.0);
+  EXPECT_EQ(default_settings(default_robot(), default_scene(), false).frames.rate_hz, 15.0);
 }
 
 TEST(Settings, EveryDefaultIsAllowed) {
   const Settings defaults = default_settings(default_robot(), default_scene(), true);
   for (const auto& setting : setting_descriptions()) {
     Settings settings = defaults;
-    EXPECT_NO_THROW(set_value(settings, setting.name, defaults.*setting.value)) << setting.name;
+    EXPECT_NO_THROW(set_value(settings, setting.name, setting.value(defaults))) << setting.name;
   }
+}
+
+TEST(Settings, EveryNameIsTakenOnceAndSetsANumberOfItsOwn) {
+  for (const auto& setting : setting_descriptions()) {
+    Settings settings;
+    setting.set(settings, 0.125);
+    for (const auto& other : setting_descriptions()) {
+      if (&other == &setting) continue;
+      EXPECT_NE(other.name, setting.name);
+      EXPECT_EQ(other.value(settings), other.value(Settings())) << other.name << " changed with " << setting.name;
+    }
+    EXPECT_EQ(setting.value(settings), 0.125) << setting.name;
+  }
+}
+
+TEST(Settings, OnesOfAPartStandTogetherInTheList) {
+  std::vector<std::string> parts;
+  for (const auto& setting : setting_descriptions()) {
+    const std::string part = setting.name.substr(0, setting.name.find('.'));
+    if (parts.empty() || parts.back() != part) parts.push_back(part);
+  }
+  EXPECT_EQ(parts, (std::vector<std::string>{"books", "image", "light", "servo", "calibration", "arm", "gripper",
+                                             "base", "rfid", "sonar", "obstacle", "frames", "faults"}));
 }
 
 TEST(Settings, AreSetByName) {
   Settings settings;
   set_from_text(settings, "books.slant_deg=-20");
-  EXPECT_EQ(settings.books_slant_deg, -20.0);
+  EXPECT_EQ(settings.books.slant_deg, -20.0);
 }
 
 TEST(Settings, UnknownNamesAreErrorsThatListTheKnown) {
@@ -88,7 +112,7 @@ TEST(Settings, ImpossibleValuesAreErrorsThatNameTheRange) {
 
 TEST(Settings, TheStartPostureStaysInsideTheArmsLimits) {
   Settings settings = default_settings(default_robot(), default_scene(), true);
-  settings.arm_start_elbow_deg = 10.0;
+  settings.arm.start_elbow_deg = 10.0;
   EXPECT_NE(message_of([&] { check_against_robot(settings, default_robot()); }).find("arm.start_elbow_deg"),
             std::string::npos);
 }

@@ -1,4 +1,4 @@
-#include "services/simulator/simulation.hpp"
+#include "services/simulator/world/simulation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -183,7 +183,7 @@ TEST(Simulation, AnImpossibleResetChangesNothing) {
   EXPECT_THROW(simulation.reset(7, {{"books.x", 0.0}, {"no.such", 1.0}}), ConfigurationError);
   EXPECT_EQ(simulation.seed(), 1U);
   EXPECT_FALSE(simulation.latch().latched());
-  EXPECT_EQ(simulation.settings().books_x, 0.0325);
+  EXPECT_EQ(simulation.settings().books.x, 0.0325);
 }
 
 TEST(Simulation, SetChangesWhatCanChangeInTheRunningWorld) {
@@ -192,7 +192,7 @@ TEST(Simulation, SetChangesWhatCanChangeInTheRunningWorld) {
   EXPECT_EQ(simulation.effects().gain_red, 0.5);
   EXPECT_EQ(simulation.effects().noise_sigma, 1.0);
   EXPECT_THROW(simulation.set({{"light.gain", 1.0}, {"books.x", 0.0}}), ConfigurationError);
-  EXPECT_EQ(simulation.settings().light_gain, 0.5) << "all or nothing";
+  EXPECT_EQ(simulation.settings().light.gain, 0.5) << "all or nothing";
 }
 
 TEST(Simulation, ANewFrameRateCountsFromTheLastExposure) {

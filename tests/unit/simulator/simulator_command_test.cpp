@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "services/simulator/simulation.hpp"
+#include "services/simulator/world/simulation.hpp"
 #include "tests/unit/simulator/simulator_process.hpp"
 
 namespace markservo::simulator {

@@ -1,4 +1,4 @@
-#include "services/simulator/sonar_model.hpp"
+#include "services/simulator/readers/sonar_model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "services/simulator/tag_floor.hpp"
+#include "services/simulator/readers/tag_floor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "common/robot/arm_kinematics.hpp"
-#include "services/simulator/scene.hpp"
-#include "services/simulator/scene_model.hpp"
-#include "services/simulator/settings.hpp"
-#include "services/simulator/simulation.hpp"
-#include "services/simulator/world.hpp"
+#include "services/simulator/model/time_step.hpp"
+#include "services/simulator/scene/scene.hpp"
+#include "services/simulator/settings/settings.hpp"
+#include "services/simulator/world/simulation.hpp"
+#include "services/simulator/world/world.hpp"
 
 namespace markservo::simulator {
 
@@ -27,7 +27,7 @@ inline Scene test_scene() {
 // The defaults of lockstep with ideal servos, and these on top.
 inline Settings test_settings(const std::vector<std::pair<std::string, double>>& changes = {}) {
   Settings settings = default_settings(test_robot(), test_scene(), true);
-  settings.servo_deadband_deg = 0.0;
+  settings.servo.deadband_deg = 0.0;
   for (const auto& [name, value] : changes) set_value(settings, name, value);
   return settings;
 }

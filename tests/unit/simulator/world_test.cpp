@@ -1,4 +1,4 @@
-#include "services/simulator/world.hpp"
+#include "services/simulator/world/world.hpp"
 
 #include <gtest/gtest.h>
 

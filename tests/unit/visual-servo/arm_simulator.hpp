@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "services/simulator/servo_model.hpp"
+#include "services/simulator/arm/servo_model.hpp"
 #include "services/visual-servo/decisions/servo_state_machine.hpp"
 
 namespace markservo::visual_servo::test {

@@ -1,0 +1,29 @@
+#include "services/simulator/marks/marks.hpp"
+
+#include <utility>
+
+#include "services/simulator/marks/mark_mjcf.hpp"
+#include "services/simulator/model/mujoco_arrays.hpp"
+
+namespace markservo::simulator {
+
+Marks::Marks(const mjModel_* model, const std::vector<robot::MarkDescription>& marks) {
+  for (const robot::MarkDescription& mark : marks) {
+    const int geom = mj_name2id(model, mjOBJ_GEOM, print_name(mark.name).c_str());
+    if (geom >= 0) marks_.push_back({mark.name, geom});
+  }
+}
+
+std::vector<MarkTruth> Marks::truth(const mjData_* data, const Eigen::Isometry3d& X_CS) const {
+  std::vector<MarkTruth> truths;
+  for (const Mark& mark : marks_) {
+    MarkTruth truth;
+    truth.name = mark.name;
+    truth.normal_C = X_CS.linear() * matrix(data->geom_xmat + kMatrix * mark.geom).col(2);
+    truth.p_CM = X_CS * vector(data->geom_xpos + kVector * mark.geom) + 0.5 * kPrintThickness * truth.normal_C;
+    truths.push_back(std::move(truth));
+  }
+  return truths;
+}
+
+}  // namespace markservo::simulator

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <markservo/JointCommand.hpp>
+#include <markservo/JointState.hpp>
+
+#include "services/simulator/arm/arm_command.hpp"
+
+namespace markservo::simulator {
+
+// Throws std::invalid_argument unless the command is for this arm's three joints.
+ArmCommand arm_command(const JointCommand& message);
+
+// As RC servos tell it: commanded, not measured. utime is the caller's.
+JointState joint_state_message(const ArmReading& arm);
+
+}  // namespace markservo::simulator

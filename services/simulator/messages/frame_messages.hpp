@@ -1,0 +1,15 @@
+#pragma once
+
+#include <markservo/StereoFrame.hpp>
+
+#include "common/robot/robot_description.hpp"
+#include "services/simulator/cameras/calibration_settings.hpp"
+#include "services/simulator/cameras/image_pair.hpp"
+
+namespace markservo::simulator {
+
+// Calibration as the settings falsify it, size and pixels. `jpeg_quality` 1 to 100; 0: raw.
+StereoFrame frame_message(const robot::CameraDescription& cameras, const CalibrationSettings& settings,
+                          const ImagePair& images, int jpeg_quality);
+
+}  // namespace markservo::simulator

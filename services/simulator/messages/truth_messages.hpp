@@ -1,0 +1,12 @@
+#pragma once
+
+#include <markservo/SimTruth.hpp>
+
+#include "services/simulator/world/world_truth.hpp"
+
+namespace markservo::simulator {
+
+// All but the message's and the frame's identity and the control echo.
+SimTruth truth_message(const WorldTruth& truth);
+
+}  // namespace markservo::simulator

@@ -1,0 +1,40 @@
+#include "services/simulator/node/arm_node.hpp"
+
+#include <string>
+
+#include "common/messages/motion_messages.hpp"
+#include "services/simulator/messages/arm_messages.hpp"
+
+namespace markservo::simulator {
+
+ArmNode::ArmNode(bus::Bus& bus, Simulation& simulation)
+    : simulation_(&simulation), states_(bus.advertise(channels::kJointState)) {}
+
+CommandAnswer ArmNode::obey(const JointCommand& message) {
+  const motion::OfferedCommand offered{{message.session, message.seq, message.frame_utime}, message.joint_session};
+  return simulation_->command(offered, message.frame_seq, arm_command(message));
+}
+
+void ArmNode::drop_unless_obeyed(const JointCommand& message, const CommandAnswer& answer) const {
+  const std::string command = "command for frame " + std::to_string(message.frame_seq) + " ";
+  if (answer.verdict == motion::CommandVerdict::kLeads) {
+    messages::drop(command + "leads joint " + simulation_->robot().arm->joints[*answer.leads].name +
+                   " by more than 0.3 s at its speed limit and 0.1 rad");
+  }
+  switch (answer.verdict) {
+    case motion::CommandVerdict::kObeyed:
+    case motion::CommandVerdict::kLatched:      // commands go on while the arm is stopped
+    case motion::CommandVerdict::kBeforeReset:  // and those under way at a reset come late
+      break;
+    default:
+      messages::drop(command + motion::describe(answer.verdict));
+  }
+}
+
+void ArmNode::publish() {
+  JointState message = joint_state_message(lying_.tell(simulation_->settings().faults, simulation_->world().arm()));
+  message.utime = simulation_->utime();
+  states_.publish(message);
+}
+
+}  // namespace markservo::simulator

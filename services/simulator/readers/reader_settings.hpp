@@ -1,0 +1,14 @@
+#pragma once
+
+#include "services/simulator/readers/rfid_settings.hpp"
+#include "services/simulator/readers/sonar_settings.hpp"
+
+namespace markservo::simulator {
+
+// Of what the base carries to find its way.
+struct ReaderSettings {
+  RfidSettings rfid;
+  SonarSettings sonar;
+};
+
+}  // namespace markservo::simulator
