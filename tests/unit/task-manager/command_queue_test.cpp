@@ -1,6 +1,6 @@
 // What waits for the next step: each command once.
 
-#include "services/task-manager/command_queue.hpp"
+#include "services/task-manager/inputs/command_queue.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "services/task-manager/command_queue.hpp"
+#include "services/task-manager/inputs/command_queue.hpp"
 
 #include <algorithm>
 #include <utility>
