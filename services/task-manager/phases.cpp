@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "common/robot/workspace.hpp"
-#include "services/task-manager/carry_plan.hpp"
-#include "services/task-manager/lift_plan.hpp"
+#include "services/task-manager/plans/carry_plan.hpp"
+#include "services/task-manager/plans/lift_plan.hpp"
 #include "services/task-manager/procedure_step.hpp"
 
 namespace markservo::task_manager {

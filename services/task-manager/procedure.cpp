@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "services/task-manager/drive_field.hpp"
-#include "services/task-manager/lift_plan.hpp"
+#include "services/task-manager/plans/drive_field.hpp"
+#include "services/task-manager/plans/lift_plan.hpp"
 #include "services/task-manager/procedure_step.hpp"
 
 namespace markservo::task_manager {

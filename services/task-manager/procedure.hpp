@@ -22,11 +22,11 @@
 
 #include "common/bus/repeat_timer.hpp"
 #include "common/motion/command_inbox.hpp"
-#include "services/task-manager/drive_watch.hpp"
-#include "services/task-manager/lift_check.hpp"
-#include "services/task-manager/move_watch.hpp"
 #include "services/task-manager/parameters.hpp"
 #include "services/task-manager/procedure_types.hpp"
+#include "services/task-manager/watches/drive_watch.hpp"
+#include "services/task-manager/watches/lift_check.hpp"
+#include "services/task-manager/watches/move_watch.hpp"
 
 namespace markservo::task_manager {
 

@@ -2,7 +2,7 @@
 
 // One step of the procedure, at work. Private to procedure.cpp, drive.cpp and phases.cpp.
 
-#include "services/task-manager/approach_plan.hpp"
+#include "services/task-manager/plans/approach_plan.hpp"
 #include "services/task-manager/procedure.hpp"
 
 namespace markservo::task_manager {

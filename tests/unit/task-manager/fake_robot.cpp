@@ -8,7 +8,7 @@
 #include "common/robot/arm_kinematics.hpp"
 #include "common/robot/workspace.hpp"
 #include "common/task/transitions.hpp"
-#include "services/task-manager/approach_plan.hpp"
+#include "services/task-manager/plans/approach_plan.hpp"
 
 namespace markservo::task_manager {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/task-manager/lift_check.hpp"
+#include "services/task-manager/watches/lift_check.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

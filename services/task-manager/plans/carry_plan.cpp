@@ -1,11 +1,11 @@
-#include "services/task-manager/carry_plan.hpp"
+#include "services/task-manager/plans/carry_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
-#include "services/task-manager/box_clearance.hpp"
+#include "services/task-manager/plans/box_clearance.hpp"
 
 namespace markservo::task_manager {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/task-manager/box_clearance.hpp"
+#include "services/task-manager/plans/box_clearance.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "services/task-manager/drive_field.hpp"
+#include "services/task-manager/plans/drive_field.hpp"
 
 #include <Eigen/Geometry>
 #include <cstdio>

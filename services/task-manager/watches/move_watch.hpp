@@ -8,7 +8,7 @@
 
 #include "common/time/seconds_between.hpp"
 #include "services/task-manager/parameters.hpp"
-#include "services/task-manager/posture_path.hpp"
+#include "services/task-manager/plans/posture_path.hpp"
 #include "services/task-manager/procedure_types.hpp"
 
 namespace markservo::task_manager {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "services/task-manager/parameters.hpp"
-#include "services/task-manager/posture_path.hpp"
+#include "services/task-manager/plans/posture_path.hpp"
 
 namespace markservo::task_manager {
 

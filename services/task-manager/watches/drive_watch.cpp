@@ -1,8 +1,8 @@
-#include "services/task-manager/drive_watch.hpp"
+#include "services/task-manager/watches/drive_watch.hpp"
 
 #include <cstdio>
 
-#include "services/task-manager/move_watch.hpp"
+#include "services/task-manager/watches/move_watch.hpp"
 
 namespace markservo::task_manager {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/task-manager/lift_plan.hpp"
+#include "services/task-manager/plans/lift_plan.hpp"
 
 #include <algorithm>
 #include <cmath>

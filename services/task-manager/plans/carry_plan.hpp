@@ -5,7 +5,7 @@
 #include <string>
 
 #include "services/task-manager/parameters.hpp"
-#include "services/task-manager/posture_path.hpp"
+#include "services/task-manager/plans/posture_path.hpp"
 
 namespace markservo::task_manager {
 

@@ -3,7 +3,7 @@
 // Straight up with the gripped object, and down again.
 
 #include "services/task-manager/parameters.hpp"
-#include "services/task-manager/posture_path.hpp"
+#include "services/task-manager/plans/posture_path.hpp"
 
 namespace markservo::task_manager {
 

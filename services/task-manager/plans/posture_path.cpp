@@ -1,4 +1,4 @@
-#include "services/task-manager/posture_path.hpp"
+#include "services/task-manager/plans/posture_path.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "services/task-manager/move_watch.hpp"
+#include "services/task-manager/watches/move_watch.hpp"
 
 #include <cstdio>
 
