@@ -6,7 +6,6 @@
 #include "common/robot/workspace.hpp"
 
 namespace markservo::task_manager {
-
 namespace {
 
 // How far the grip point must go in x so that the middle of an object that has turned with the hand is where it was.
@@ -21,6 +20,10 @@ double way_aside(const robot::ArmDescription& arm, const Eigen::Vector3d& p_CG, 
 }
 
 }  // namespace
+
+double closed_opening(const GripParameters& parameters, const robot::GripDescription& grip) {
+  return std::max(0.0, grip.object_width - parameters.squeeze);
+}
 
 PosturePath plan_lift(const robot::ArmDescription& arm, const Parameters& parameters,
                       const robot::GripDescription& grip, const robot::JointVector& start,

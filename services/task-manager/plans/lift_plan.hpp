@@ -7,6 +7,9 @@
 
 namespace markservo::task_manager {
 
+// m, what the gripper is told to close to around an object.
+double closed_opening(const GripParameters& parameters, const robot::GripDescription& grip);
+
 // From posture `start` (rad) up until the grip point is `height` (m) above `p_CG_place` (m). Where the arm does not
 // reach straight up, the way bends towards the robot, at most bend_max. A hand that comes from the side turns the
 // object with it once it hangs: the way gives way to the other side, so that the object's middle stays between its

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "services/task-manager/watches/move_watch.hpp"
+#include "common/time/seconds_between.hpp"
 
 namespace markservo::task_manager {
 namespace {
@@ -30,7 +30,7 @@ DriveReport silence(const BaseReport* answer, double timeout) {
 
 }  // namespace
 
-DriveReport watch_drive(std::int64_t goal_id, const Input& input, const DriveParameters& parameters,
+DriveReport watch_drive(std::int64_t goal_id, const Input& input, std::int64_t now, const DriveParameters& parameters,
                         DriveProgress& progress) {
   const BaseReport* answer = input.base && input.base->goal_id == goal_id ? &*input.base : nullptr;
   // One that has fallen silent leaves its last word behind.
@@ -42,17 +42,17 @@ DriveReport watch_drive(std::int64_t goal_id, const Input& input, const DrivePar
   }
 
   const bool stuck = state == BaseState::kBlocked || state == BaseState::kLost;
-  if (state == BaseState::kDriving || stuck) progress.answered = input.utime;
-  if (state == BaseState::kDriving) progress.driving = input.utime;
-  if (seconds_between(progress.answered, input.utime) > parameters.silent_timeout) {
+  if (state == BaseState::kDriving || stuck) progress.answered = now;
+  if (state == BaseState::kDriving) progress.driving = now;
+  if (seconds_between(progress.answered, now) > parameters.silent_timeout) {
     return silence(answer, parameters.silent_timeout);
   }
   const char* what =
       state == BaseState::kLost ? "the base does not know where it is" : "something blocks the base's way";
-  if (stuck && seconds_between(progress.driving, input.utime) > parameters.stuck_timeout) {
+  if (stuck && seconds_between(progress.driving, now) > parameters.stuck_timeout) {
     return {DriveState::kFailed, with_reason(what, answer->reason)};
   }
-  if (seconds_between(progress.since, input.utime) > parameters.timeout) {
+  if (seconds_between(progress.since, now) > parameters.timeout) {
     return {DriveState::kFailed, within("the base did not arrive", parameters.timeout)};
   }
   if (stuck) return {DriveState::kWaiting, what};

@@ -10,15 +10,16 @@
 
 namespace markservo::task_manager {
 
+// Times in us of the task's time.
 struct DriveProgress {
-  std::int64_t since = 0;     // us, when the goal was first sent
-  std::int64_t answered = 0;  // us, when base-navigator last could say how the goal stands
-  std::int64_t driving = 0;   // us, when nothing last was in its way
+  std::int64_t since = 0;     // when the goal was first sent
+  std::int64_t answered = 0;  // when base-navigator last could say how the goal stands
+  std::int64_t driving = 0;   // when nothing last was in its way
 };
 
-// The progress of a goal that is sent at `utime` (us).
-inline DriveProgress begin_of_drive(std::int64_t utime) {
-  return {utime, utime, utime};
+// The progress of a goal that is sent at `now`.
+inline DriveProgress begin_of_drive(std::int64_t now) {
+  return {now, now, now};
 }
 
 enum class DriveState {
@@ -34,8 +35,8 @@ struct DriveReport {
   std::string reason;  // what is waited for, why failed or stopped
 };
 
-// `goal_id`: under which the goal was sent. Times are those of the input.
-DriveReport watch_drive(std::int64_t goal_id, const Input& input, const DriveParameters& parameters,
+// `goal_id`: under which the goal was sent; `now`: us of the task's time.
+DriveReport watch_drive(std::int64_t goal_id, const Input& input, std::int64_t now, const DriveParameters& parameters,
                         DriveProgress& progress);
 
 }  // namespace markservo::task_manager
