@@ -21,8 +21,8 @@ void add_parameter_options(CLI::App& app, Parameters& p) {
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   number("--unseen-time", p.look.unseen_time, "s, a target not located for so long counts as unseen", 0.1, 60.0);
-  number("--free-speed", p.motion.free_speed, "m/s, of the hand before the books", 0.005, 1.0);
-  number("--near-speed", p.motion.near_speed, "m/s, of the hand among the books or with one", 0.005, 1.0);
+  number("--free-speed", p.motion.free_speed, "m/s, of the hand before the row of objects", 0.005, 1.0);
+  number("--near-speed", p.motion.near_speed, "m/s, of the hand among the objects or with one", 0.005, 1.0);
   number("--lift-speed", p.motion.lift_speed, "m/s, up and down with an object", 0.005, 1.0);
   number("--move-timeout", p.motion.move_timeout, "s, for one posture", 0.5, 120.0);
   number("--stale-timeout", p.motion.stale_timeout, "s, input too old to move on for so long: give up", 0.2, 120.0);

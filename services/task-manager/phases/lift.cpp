@@ -33,8 +33,8 @@ Transition Verify::judge(PhaseContext& context) const {
   const double height = task.place.check_height;
   const LiftVerdict verdict = check_lift(context.arm(), task.at_grip, marks_.view(context.input.arm->q),
                                          {height, parameters.follow_share * height, parameters.rise_share});
-  if (!verdict.came_along) return let_go(context, "the book did not come along: " + verdict.reason);
-  context.notices.push_back("the book comes along: " + verdict.reason);
+  if (!verdict.came_along) return let_go(context, "the object did not come along: " + verdict.reason);
+  context.notices.push_back("the object comes along: " + verdict.reason);
   const PosturePath up =
       plan_lift(context.arm(), context.parameters, context.grip(), context.arm_goals.newest().q,
                 robot::grip_point(context.arm(), task.at_grip.q), parameters.height, context.closed());

@@ -17,8 +17,8 @@ class Servo {
   static constexpr Phase kPhase = Phase::kServo;
 
   enum class Stage {
-    kToTheLine,       // of approach, before the spines
-    kToTheGripPoint,  // among them
+    kToTheLine,       // of approach, before the objects' fronts
+    kToTheGripPoint,  // between the neighbours
   };
 
   explicit Servo(Stage first) : stage_(first) {}

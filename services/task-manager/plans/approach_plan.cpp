@@ -18,7 +18,7 @@ PosturePath begin_with_open_hand(const ArmDescription& arm, const Parameters& pa
   return path;
 }
 
-// Out of the books, straight back to depth `y` (m), or away from the side table along the arm's own direction.
+// Out of the row, straight back to depth `y` (m), or away from the side table along the arm's own direction.
 void leave(PosturePath& path, const ArmDescription& arm, const MotionParameters& motion, double y) {
   const Eigen::Vector3d p_CG = path.end_point();
   if (std::abs(path.end()[0]) < motion.side_yaw) {
@@ -60,13 +60,13 @@ ApproachPlan plan_approach(const robot::RobotDescription& robot, const Parameter
                            const robot::MarkDescription& target, const Eigen::Vector3d& p_CT, const HandState& hand) {
   const ArmDescription& arm = *robot.arm;
   const MotionParameters& motion = parameters.motion;
-  const double before_spine =
-      target.grip->p_TG.y() + arm.gripper.finger_beyond_grip_point + parameters.approach.spine_clearance;
+  const double before_front =
+      target.grip->p_TG.y() + arm.gripper.finger_beyond_grip_point + parameters.approach.front_clearance;
 
   ApproachPlan plan;
   plan.standoff = visible_standoff(robot, parameters, target, p_CT);
   const Eigen::Vector3d p_CG = p_CT + target.grip->p_TG;
-  plan.p_CG_first = p_CG - Eigen::Vector3d(0.0, std::max(plan.standoff, before_spine), 0.0);
+  plan.p_CG_first = p_CG - Eigen::Vector3d(0.0, std::max(plan.standoff, before_front), 0.0);
 
   PosturePath path = begin_with_open_hand(arm, parameters, hand);
   leave(path, arm, motion, plan.p_CG_first.y());

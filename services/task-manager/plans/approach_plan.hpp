@@ -1,6 +1,7 @@
 #pragma once
 
-// From wherever the hand is to a posture before the target, and back from it, never through the books.
+// From wherever the hand is to a posture before the target, and back from it, never through the other objects of its
+// row.
 
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ struct ApproachPlan {
   std::vector<Move> moves;  // ends at `standoff`, the hand open
   double standoff = 0.0;    // m, from the grip point back along y: where servoing begins
   Eigen::Vector3d p_CG_first =
-      Eigen::Vector3d::Zero();  // m, the posture before the spines, to which the hand backs off
+      Eigen::Vector3d::Zero();  // m, the posture before the objects' fronts, to which the hand backs off
 };
 
 // Where the arm is and how far its gripper is open (m).
@@ -29,12 +30,12 @@ struct HandState {
 double visible_standoff(const robot::RobotDescription& robot, const Parameters& parameters,
                         const robot::MarkDescription& target, const Eigen::Vector3d& p_CT);
 
-// A way to the visible standoff before the target whose mark is at `p_CT` (m). Opens the hand first, leaves the books
-// or the side table straight, goes up before the shelf, and passes the spines only on the line of approach.
+// A way to the visible standoff before the target whose mark is at `p_CT` (m). Opens the hand first, leaves the row
+// or the side table straight, goes up before the shelf, and passes the objects' fronts only on the line of approach.
 ApproachPlan plan_approach(const robot::RobotDescription& robot, const Parameters& parameters,
                            const robot::MarkDescription& target, const Eigen::Vector3d& p_CT, const HandState& hand);
 
-// A way home: the hand is opened if it is not, leaves the books or the side table straight, then folds. Not reachable
+// A way home: the hand is opened if it is not, leaves the row or the side table straight, then folds. Not reachable
 // only from postures outside the arm's limits.
 PosturePath plan_home(const robot::ArmDescription& arm, const Parameters& parameters, const HandState& hand);
 
