@@ -37,9 +37,9 @@ void add_parameter_options(CLI::App& app, Parameters& p) {
   number("--check-height", p.lift.check_height, "m, of the lift that verifies the grip", 0.006, 0.1);
   number("--rise-share", p.lift.rise_share, "of the predicted rise: the least that both marks must show", 0.05, 0.9);
   number("--lift-height", p.lift.height, "m, of the object above its place in the end", 0.012, 0.2);
-  number("--object-depth", p.carry.object_depth, "m, of the object behind its mark", 0.0, 1.0);
-  number("--object-below-mark", p.carry.object_below_mark, "m, from the mark's centre to the support", 0.0, 1.0);
-  number("--object-above-mark", p.carry.object_above_mark, "m, from the mark's centre to its top", 0.0, 1.0);
+  number("--object-depth", p.carry.object.depth, "m, of the object behind its mark", 0.0, 1.0);
+  number("--object-below-mark", p.carry.object.below_mark, "m, from the mark's centre to the support", 0.0, 1.0);
+  number("--object-above-mark", p.carry.object.above_mark, "m, from the mark's centre to its top", 0.0, 1.0);
   number("--carry-clearance", p.carry.clearance, "m, least distance to the neighbours on the way out", 0.0, 0.1);
   number("--place-yaw", p.carry.place_yaw, "rad, direction of the side table from the arm's column", -3.2, 3.2);
   number("--place-radius-min", p.carry.place_radius_min, "m, of the grip point at the side table", 0.01, 2.0);

@@ -77,10 +77,15 @@ struct LiftParameters {
   double follow_share = 0.4;        // of the lift: the largest error of the mark's way that counts as coming along
 };
 
+// An object that stands, told from its mark.
+struct ObjectShape {
+  double depth = 0.12;        // behind the mark
+  double below_mark = 0.162;  // its bottom under the mark's centre; the support is there
+  double above_mark = 0.038;
+};
+
 struct CarryParameters {
-  double object_depth = 0.12;        // of the object behind its mark
-  double object_below_mark = 0.162;  // its bottom under the mark's centre; the support is there
-  double object_above_mark = 0.038;
+  ObjectShape object;
   double support_half_width = 0.18;  // of the shelf's board, around the target
   double support_front = 0.004;      // the board's front edge before the mark's plane
   double retract_min = 0.10;         // searched range of the way back

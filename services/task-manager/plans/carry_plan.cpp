@@ -13,9 +13,9 @@ namespace {
 // The object standing at its place, its mark at `p_CT`.
 Box standing_object(const CarryParameters& carry, double width, const Eigen::Vector3d& p_CT) {
   Box box;
-  box.half_size << 0.5 * width, 0.5 * carry.object_depth, 0.5 * (carry.object_above_mark + carry.object_below_mark);
+  box.half_size << 0.5 * width, 0.5 * carry.object.depth, 0.5 * (carry.object.above_mark + carry.object.below_mark);
   box.X_CB.translation() =
-      p_CT + Eigen::Vector3d(0.0, 0.5 * carry.object_depth, 0.5 * (carry.object_above_mark - carry.object_below_mark));
+      p_CT + Eigen::Vector3d(0.0, 0.5 * carry.object.depth, 0.5 * (carry.object.above_mark - carry.object.below_mark));
   return box;
 }
 
@@ -28,9 +28,9 @@ std::vector<Box> obstacles(const CarryParameters& carry, const robot::GripDescri
   }
   constexpr double kBoardThickness = 0.02;  // m
   Box board;
-  board.half_size << carry.support_half_width, 0.5 * (carry.object_depth + carry.support_front), 0.5 * kBoardThickness;
-  board.X_CB.translation() = p_CT + Eigen::Vector3d(0.0, 0.5 * (carry.object_depth - carry.support_front),
-                                                    -carry.object_below_mark - 0.5 * kBoardThickness);
+  board.half_size << carry.support_half_width, 0.5 * (carry.object.depth + carry.support_front), 0.5 * kBoardThickness;
+  board.X_CB.translation() = p_CT + Eigen::Vector3d(0.0, 0.5 * (carry.object.depth - carry.support_front),
+                                                    -carry.object.below_mark - 0.5 * kBoardThickness);
   boxes.push_back(board);
   return boxes;
 }

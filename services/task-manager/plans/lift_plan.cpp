@@ -34,7 +34,7 @@ PosturePath plan_lift(const robot::ArmDescription& arm, const Parameters& parame
   const double z_end = p_CG_place.z() + height;
   const int pieces = std::max(1, static_cast<int>(std::ceil((z_end - path.end_point().z()) / kHeightStep)));
   const double z_start = path.end_point().z();
-  const double object_middle = 0.5 * parameters.carry.object_depth - grip.p_TG.y();  // m, behind the grip point
+  const double object_middle = 0.5 * parameters.carry.object.depth - grip.p_TG.y();  // m, behind the grip point
   const double aside = way_aside(arm, p_CG_place, object_middle);
   const double turning = std::max(1e-6, parameters.lift.check_height - parameters.lift.free_height);
   double bend = std::max(0.0, p_CG_place.y() - path.end_point().y());
