@@ -97,6 +97,8 @@ std::optional<Transition> hear(const Command& command, Phase phase, motion::Comm
       context.notices.push_back(std::string(word_of(command.kind)) + " refused: " + inbox.why_stale(stamp, now));
       break;
     case motion::CommandHeard::kAgain:
+      // A sender that counts badly is to be obeyed all the same.
+      if (command.kind == CommandKind::kAbort && under_way(phase)) return execute(command, phase, context);
       break;
   }
   return std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 
-// What arm and base were told last, and when it is to be sent: at once when it is new, then five times a second.
+// What arm and base were told last, and when it is to be sent: at once when it is new, then five times a second; as a
+// new one when nobody heard it.
 
 #include <cstdint>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "common/bus/repeat_timer.hpp"
 #include "services/task-manager/procedure_types.hpp"
+#include "services/task-manager/watches/condition_timer.hpp"
 
 namespace markservo::task_manager {
 
@@ -26,6 +28,14 @@ class RepeatedGoal {
     is_new_ = true;
   }
 
+  // Sets the goal anew when it has been ignored for more than a second. `is_ignored`: at `utime` (us, of messages).
+  void insist(bool is_ignored, std::int64_t utime) {
+    constexpr double kUnanswered_s = 1.0;
+    if (ignored_.observe(is_ignored && !none_yet(), utime) <= kUnanswered_s) return;
+    ignored_ = ConditionTimer();
+    set(newest_);
+  }
+
   // The goal, if it is to be sent at `utime` (us, of messages: receivers judge its age by that).
   std::optional<G> due(std::int64_t utime) {
     if (none_yet() || !(is_new_ || repeat_.due(utime))) return std::nullopt;
@@ -38,6 +48,7 @@ class RepeatedGoal {
   G newest_;
   bool is_new_ = false;
   bus::RepeatTimer repeat_{bus::kStateRepeat_us};
+  ConditionTimer ignored_;
 };
 
 using ArmGoals = RepeatedGoal<Goal>;

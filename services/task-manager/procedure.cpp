@@ -1,6 +1,7 @@
 #include "services/task-manager/procedure.hpp"
 
 #include <cassert>
+#include <cstdint>
 #include <cstdio>
 #include <utility>
 
@@ -10,6 +11,8 @@
 
 namespace markservo::task_manager {
 namespace {
+
+constexpr std::int64_t kWorthAWord_us = 500'000;
 
 // One step of the procedure, at work.
 class Step {
@@ -33,6 +36,7 @@ class Step {
   void watch_the_stop_devices();
   void watch_the_hand();
   void watch_the_servo();
+  void insist_on_rest();
   void command_arm_and_base();
   void tell_state();
 
@@ -51,6 +55,7 @@ void Step::run() {
     if (auto next = hear(command, phase(), s_.inbox, context_)) enter(std::move(*next));
   }
   watch_the_servo();
+  insist_on_rest();
   if (auto next = step(s_.phase, context_)) enter(std::move(*next));
   command_arm_and_base();
   tell_state();
@@ -71,9 +76,9 @@ void Step::watch_the_clock() {
   if (tick.set_back) s_.servo = ServoWatch();
   if (!under_way(phase())) return;
   if (tick.set_back) enter(stopped("the clock of SERVO_STATUS was set back"));
-  if (tick.passed_over_us == 0) return;
+  if (tick.passed_over_us < kWorthAWord_us) return;
   char text[96];
-  std::snprintf(text, sizeof text, "nothing came from visual-servo for %.1f s: the task goes on from there",
+  std::snprintf(text, sizeof text, "SERVO_STATUS left out %.1f s by its times: the task goes on from there",
                 1e-6 * static_cast<double>(tick.passed_over_us));
   out_.notices.emplace_back(text);
 }
@@ -108,6 +113,16 @@ void Step::watch_the_servo() {
   if (ending) enter(transition_to(*ending));
 }
 
+// Whoever took the floor before us, an earlier run of ours perhaps, may have fallen silent by now: only a new goal is
+// heard then.
+void Step::insist_on_rest() {
+  const bool resting = !under_way(phase()) && !in_.stop.latched;
+  const auto ignored = [](const auto& report) { return report.goal_id == 0 && !report.follows_another; };
+  s_.arm_goals.insist(resting && ignored(in_.servo), in_.utime);
+  const bool base_rests = resting && !s_.base_goals.newest().drive;
+  s_.base_goals.insist(base_rests && in_.base && ignored(*in_.base), in_.utime);
+}
+
 // Nothing has moved for the task yet.
 bool Step::waits_for_first_word() const {
   const Drive* drive = std::get_if<Drive>(&s_.phase);
@@ -119,10 +134,11 @@ bool Step::base_may_drive() const {
   return drive != nullptr && drive->is_driving();
 }
 
-// The arm holds before the first task; the base stands whenever it is not driving for one: the arm works, or nothing is
-// known of what is around.
+// The arm holds before the first task, but not before its device is known: who reports before may be anyone, and the
+// hand may hold something. The base stands whenever it is not driving for a task: the arm works, or nothing is known of
+// what is around.
 void Step::command_arm_and_base() {
-  if (s_.arm_goals.none_yet() && in_.arm) hold_arm(context_);
+  if (s_.arm_goals.none_yet() && in_.arm && in_.stop.known) hold_arm(context_);
   out_.goal = s_.arm_goals.due(in_.utime);
   if (!context_.robot.base) return;
   if (!base_may_drive()) s_.base_goals.hold();

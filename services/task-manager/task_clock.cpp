@@ -2,16 +2,17 @@
 
 #include <utility>
 
+#include "common/motion/freshness.hpp"
 #include "common/time/seconds_between.hpp"
 
 namespace markservo::task_manager {
 
 TaskClock::Tick TaskClock::tick(std::int64_t utime) {
   constexpr double kSetBack_s = 1.0;
-  constexpr std::int64_t kPause_us = 500'000;  // goals have aged by then
+  constexpr auto kGoalAge_us = static_cast<std::int64_t>(1e6 * motion::kGoalAge_s);
   const std::int64_t before = std::exchange(utime_, utime);
   Tick tick;
-  if (before != 0 && utime - before > kPause_us) tick.passed_over_us = utime - before;
+  if (before != 0 && utime - before > kGoalAge_us) tick.passed_over_us = utime - before - kGoalAge_us;
   tick.set_back = seconds_between(utime, before) > kSetBack_s;
   passed_over_us_ = tick.set_back ? 0 : passed_over_us_ + tick.passed_over_us;
   return tick;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The time that a task takes. While no SERVO_STATUS comes no goal is repeated: arm and base have to hold, and nobody is
-// late by that time. So it does not count.
+// The time that a task takes. While no SERVO_STATUS comes no goal is repeated: when the last one has aged, arm and base
+// have to hold, and nobody is late by the time from then on. So it does not count.
 
 #include <cstdint>
 
@@ -11,7 +11,7 @@ class TaskClock {
  public:
   // What the utime (us) of a step says against that of the step before.
   struct Tick {
-    std::int64_t passed_over_us = 0;  // a pause that does not count; 0: none
+    std::int64_t passed_over_us = 0;  // what does not count of a pause; 0: nothing
     bool set_back = false;            // what was timed until now would wait for the old time to come again
   };
   Tick tick(std::int64_t utime);

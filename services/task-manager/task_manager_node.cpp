@@ -90,7 +90,9 @@ void TaskManagerNode::on_stop(const StopState& message) {
   const motion::Word word =
       stop_devices_.hear_stop_state(message.device, stamp_of(message), message.latched != 0, message.reason);
   ask_for_stops();
-  if (word == motion::Word::kReplaced && message.device == arm_device_) next_input_.replace_arm(message.session);
+  if (word == motion::Word::kReplaced && message.device == arm_device_) {
+    next_input_.replace_arm(message.session, !state_.arm_goals.none_yet());
+  }
   drop(motion::why_dropped(word));
 }
 

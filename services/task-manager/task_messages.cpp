@@ -66,6 +66,7 @@ BaseReport base_report(const BaseStatus& message, std::int64_t goal_session) {
   report.goal_id = message.goal_session == goal_session ? message.goal_id : 0;
   report.state = messages::state_of<BaseState>(message.state);
   report.reason = message.reason;
+  report.follows_another = message.goal_session != 0 && report.goal_id == 0 && report.state != BaseState::kStale;
   return report;
 }
 
@@ -75,6 +76,7 @@ ServoReport servo_report(const ServoStatus& message, std::int64_t goal_session) 
   report.state = messages::state_of<ServoState>(message.state);
   report.settled = message.settled != 0;
   report.reason = message.reason;
+  report.follows_another = message.goal_session != 0 && report.goal_id == 0 && report.state != ServoState::kStale;
   return report;
 }
 

@@ -12,8 +12,8 @@ namespace markservo::task_manager {
 
 class CommandQueue {
  public:
-  // A repeat replaces what waits already: it is stamped anew. When kMost wait, the oldest makes room; an ABORT does so
-  // last.
+  // A repeat replaces what waits already, of its kind: it is stamped anew. When kMost wait, the oldest makes room; an
+  // ABORT does so last.
   void add(const Command& command);
   // What came since the last call, in order of arrival.
   std::vector<Command> take();

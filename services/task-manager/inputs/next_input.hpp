@@ -26,9 +26,14 @@ class NextInput {
 
   // Of another than the arm, which may be the next one.
   void observe_stranger(const ArmReport& report) { stranger_ = report; }
-  // The arm's session is another one from now on.
-  void replace_arm(std::int64_t session) {
-    if (stranger_ && stranger_->session == session) input_.arm = stranger_;
+  // The arm's session is another one from now on. `told`: the arm was told something by what was reported. What another
+  // said before anyone was known tells nothing of what the hand holds.
+  void replace_arm(std::int64_t session, bool told) {
+    if (stranger_ && stranger_->session == session) {
+      input_.arm = stranger_;
+    } else if (!told) {
+      input_.arm.reset();
+    }
   }
 
   // For the step at a SERVO_STATUS. `utime`: us, the frame's; `now`: us, the arm's.

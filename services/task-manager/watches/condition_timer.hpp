@@ -10,7 +10,7 @@ namespace markservo::task_manager {
 // How long something has been so without a break.
 class ConditionTimer {
  public:
-  // s until `now` (us of the task's time), at which it is so or not; 0 when it is not.
+  // s until `now` (us), at which it is so or not; 0 when it is not.
   double observe(bool is_so, std::int64_t now) {
     if (!is_so) since_.reset();
     if (is_so && !since_) since_ = now;
