@@ -40,6 +40,16 @@ TEST(CommandQueue, ARepeatRenewsTheTimeOfWhatWaits) {
   EXPECT_EQ(commands[0].utime, 1200);
 }
 
+TEST(CommandQueue, KeepsAnAbortUnderTheIdOfAStart) {
+  CommandQueue queue;
+  queue.add(command(CommandKind::kStart, 1));
+  queue.add(command(CommandKind::kAbort, 1));
+  const auto commands = queue.take();
+  ASSERT_EQ(commands.size(), 2u);
+  EXPECT_EQ(commands[0].kind, CommandKind::kStart);
+  EXPECT_EQ(commands[1].kind, CommandKind::kAbort);
+}
+
 TEST(CommandQueue, StaysSmallAndKeepsTheAbort) {
   CommandQueue queue;
   queue.add(command(CommandKind::kAbort, 1));

@@ -39,6 +39,29 @@ TEST(ArmGoals, AreSentAtOnceWhenTheClockWasSetBack) {
   EXPECT_TRUE(goals.due(kNow - 1));
 }
 
+TEST(ArmGoals, AreSetAnewWhenTheyAreIgnoredForMoreThanASecond) {
+  ArmGoals goals;
+  goals.insist(true, kNow);
+  goals.insist(true, kNow + 2'000'000);
+  EXPECT_TRUE(goals.none_yet()) << "what was never told cannot be ignored";
+  Goal goal;
+  goal.opening = 0.02;
+  goals.set(goal);
+  goals.insist(true, kNow + 3'000'000);
+  goals.insist(true, kNow + 4'000'000);
+  EXPECT_EQ(goals.newest().id, 1);
+  goals.insist(true, kNow + 4'000'001);
+  EXPECT_EQ(goals.newest().id, 2);
+  EXPECT_EQ(goals.newest().opening, 0.02);
+  goals.insist(true, kNow + 4'100'000);
+  goals.insist(true, kNow + 5'100'000);
+  EXPECT_EQ(goals.newest().id, 2) << "the new one has a second of its own";
+  goals.insist(false, kNow + 5'100'001);
+  goals.insist(true, kNow + 5'200'000);
+  goals.insist(true, kNow + 6'200'000);
+  EXPECT_EQ(goals.newest().id, 2) << "it was heard meanwhile";
+}
+
 TEST(BaseGoals, HoldUnderOneIdUntilTheBaseWasToldToDrive) {
   BaseGoals goals;
   goals.hold();
