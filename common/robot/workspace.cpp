@@ -18,14 +18,14 @@ std::string millimetres(double metres) {
   return text;
 }
 
-// The least room, m, between the open fingers and the books beside and between them. The books stand along C's y; the
-// fingers reach from the spine to the fingertip, turned by the arm's yaw.
+// The least room, m, between the open fingers and the objects beside and between them. The objects stand along C's y;
+// the fingers reach from the object's front to the fingertip, turned by the arm's yaw.
 double finger_room(const ArmDescription& arm, const GripDescription& grip, const JointVector& q) {
   const double yaw = arm.yaw_CA + q[0];
   const double inner = 0.5 * arm.gripper.opening_max;
   const double outer = inner + arm.gripper.finger_thickness;
   double room = std::numeric_limits<double>::infinity();
-  // Along the fingers, horizontally: from where they pass the spine to their tips.
+  // Along the fingers, horizontally: from where they pass the front to their tips.
   for (const double along : {-grip.p_TG.y(), arm.gripper.finger_beyond_grip_point}) {
     for (const double side : {-1.0, 1.0}) {
       const double shift = side * -std::sin(yaw) * along;
@@ -72,7 +72,7 @@ GripJudgement judge_grip(const RobotDescription& robot, const MarkDescription& t
   const double room = finger_room(arm, *target.grip, ik.q);
   if (room < robot.workspace.finger_clearance) {
     return {GripVerdict::kUnreachable, "the fingers have " + millimetres(room) +
-                                           " of room between the books, less than " +
+                                           " of room between the objects, less than " +
                                            millimetres(robot.workspace.finger_clearance)};
   }
 

@@ -21,8 +21,8 @@ void add_parameter_options(CLI::App& app, Parameters& p) {
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   number("--unseen-time", p.look.unseen_time, "s, a target not located for so long counts as unseen", 0.1, 60.0);
-  number("--free-speed", p.motion.free_speed, "m/s, of the hand before the books", 0.005, 1.0);
-  number("--near-speed", p.motion.near_speed, "m/s, of the hand among the books or with one", 0.005, 1.0);
+  number("--free-speed", p.motion.free_speed, "m/s, of the hand before the row of objects", 0.005, 1.0);
+  number("--near-speed", p.motion.near_speed, "m/s, of the hand among the objects or with one", 0.005, 1.0);
   number("--lift-speed", p.motion.lift_speed, "m/s, up and down with an object", 0.005, 1.0);
   number("--move-timeout", p.motion.move_timeout, "s, for one posture", 0.5, 120.0);
   number("--stale-timeout", p.motion.stale_timeout, "s, input too old to move on for so long: give up", 0.2, 120.0);
@@ -37,9 +37,9 @@ void add_parameter_options(CLI::App& app, Parameters& p) {
   number("--check-height", p.lift.check_height, "m, of the lift that verifies the grip", 0.006, 0.1);
   number("--rise-share", p.lift.rise_share, "of the predicted rise: the least that both marks must show", 0.05, 0.9);
   number("--lift-height", p.lift.height, "m, of the object above its place in the end", 0.012, 0.2);
-  number("--object-depth", p.carry.object_depth, "m, of the object behind its mark", 0.0, 1.0);
-  number("--object-below-mark", p.carry.object_below_mark, "m, from the mark's centre to the support", 0.0, 1.0);
-  number("--object-above-mark", p.carry.object_above_mark, "m, from the mark's centre to its top", 0.0, 1.0);
+  number("--object-depth", p.carry.object.depth, "m, of the object behind its mark", 0.0, 1.0);
+  number("--object-below-mark", p.carry.object.below_mark, "m, from the mark's centre to the support", 0.0, 1.0);
+  number("--object-above-mark", p.carry.object.above_mark, "m, from the mark's centre to its top", 0.0, 1.0);
   number("--carry-clearance", p.carry.clearance, "m, least distance to the neighbours on the way out", 0.0, 0.1);
   number("--place-yaw", p.carry.place_yaw, "rad, direction of the side table from the arm's column", -3.2, 3.2);
   number("--place-radius-min", p.carry.place_radius_min, "m, of the grip point at the side table", 0.01, 2.0);

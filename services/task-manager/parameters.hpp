@@ -27,8 +27,8 @@ struct DriveParameters {
 };
 
 struct MotionParameters {
-  double free_speed = 0.20;    // before the books
-  double near_speed = 0.08;    // among the books, and with a book in the hand
+  double free_speed = 0.20;    // before the row of objects
+  double near_speed = 0.08;    // among the objects, and with one in the hand
   double lift_speed = 0.04;    // slow enough for the cameras to follow
   double free_step = 0.03;     // between postures on a straight line; the chord's error stays below 1 mm
   double near_step = 0.01;     // likewise below 0.1 mm
@@ -36,15 +36,15 @@ struct MotionParameters {
   double pass_tolerance = 0.03;  // rad, each joint: how near a posture on the way counts as passed
   double move_timeout = 8.0;     // for one posture
   double stale_timeout = 3.0;    // visual-servo reports stale input for so long: give up
-  double retreat_y = 0.115;      // depth of G to which the hand leaves the books when their place is not known
+  double retreat_y = 0.115;      // depth of G to which the hand leaves the row when its place is not known
   double side_yaw = 0.8;         // rad: an arm turned further is beside the shelf, and leaves along its own direction
   double side_retreat_radius = 0.08;  // of G from the column, after it left
 };
 
 struct ApproachParameters {
-  double standoff_max = 0.06;           // before the grip point: 3 cm before the spine with 1.5 cm of finger beyond G
+  double standoff_max = 0.06;  // before the grip point: 3 cm before the object's front with 1.5 cm of finger beyond G
   double standoff_step = 0.0025;        // of the search for the largest standoff in view
-  double spine_clearance = 0.005;       // fingertips before the spines at the first posture
+  double front_clearance = 0.005;       // fingertips before the objects' fronts at the first posture
   double standoff_worth_while = 0.005;  // a nearer one is not servoed to by itself
   int hand_frames = 3;                  // located in a row before servoing
   double hand_timeout = 2.0;
@@ -77,10 +77,15 @@ struct LiftParameters {
   double follow_share = 0.4;        // of the lift: the largest error of the mark's way that counts as coming along
 };
 
+// An object that stands, told from its mark.
+struct ObjectShape {
+  double depth = 0.12;        // behind the mark
+  double below_mark = 0.162;  // its bottom under the mark's centre; the support is there
+  double above_mark = 0.038;
+};
+
 struct CarryParameters {
-  double object_depth = 0.12;        // of the object behind its mark
-  double object_below_mark = 0.162;  // its bottom under the mark's centre; the support is there
-  double object_above_mark = 0.038;
+  ObjectShape object;
   double support_half_width = 0.18;  // of the shelf's board, around the target
   double support_front = 0.004;      // the board's front edge before the mark's plane
   double retract_min = 0.10;         // searched range of the way back

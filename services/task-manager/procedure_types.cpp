@@ -7,4 +7,8 @@ std::string describe_sight(const MarkReport& mark) {
   return subject + (mark.sight ? name_of(*mark.sight) : "not reported by target-locator");
 }
 
+std::string describe_latched(const StopReport& stop) {
+  return "stop is latched: reset it first (" + stop.reason + ")";
+}
+
 }  // namespace markservo::task_manager

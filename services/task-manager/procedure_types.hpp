@@ -49,7 +49,7 @@ struct MarkReport {
   Eigen::Vector3d p_C = Eigen::Vector3d::Zero();  // m, valid when located
 };
 
-// "the mark of red_book is seen by neither camera".
+// "the mark of NAME is seen by neither camera".
 std::string describe_sight(const MarkReport& mark);
 
 struct ArmReport {
@@ -73,6 +73,9 @@ struct StopReport {
   bool meanwhile = false;   // one at least was latched at some time since the last step
   std::string silent = {};  // the devices that are not known, for people
 };
+
+// What is to be done when a device is latched, which, and by whom.
+std::string describe_latched(const StopReport& stop);
 
 // Everything at one SERVO_STATUS.
 struct Input {

@@ -1,4 +1,4 @@
-#include "services/task-manager/approach_plan.hpp"
+#include "services/task-manager/plans/approach_plan.hpp"
 
 #include <gtest/gtest.h>
 

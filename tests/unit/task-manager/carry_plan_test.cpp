@@ -1,9 +1,9 @@
-#include "services/task-manager/carry_plan.hpp"
+#include "services/task-manager/plans/carry_plan.hpp"
 
 #include <gtest/gtest.h>
 
-#include "services/task-manager/box_clearance.hpp"
-#include "services/task-manager/lift_plan.hpp"
+#include "services/task-manager/plans/box_clearance.hpp"
+#include "services/task-manager/plans/lift_plan.hpp"
 #include "tests/unit/task-manager/fake_robot.hpp"
 
 namespace markservo::task_manager {

@@ -1,6 +1,6 @@
 // What waits for the next step: each command once.
 
-#include "services/task-manager/command_queue.hpp"
+#include "services/task-manager/inputs/command_queue.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,6 +38,16 @@ TEST(CommandQueue, ARepeatRenewsTheTimeOfWhatWaits) {
   const auto commands = queue.take();
   ASSERT_EQ(commands.size(), 1u);
   EXPECT_EQ(commands[0].utime, 1200);
+}
+
+TEST(CommandQueue, KeepsAnAbortUnderTheIdOfAStart) {
+  CommandQueue queue;
+  queue.add(command(CommandKind::kStart, 1));
+  queue.add(command(CommandKind::kAbort, 1));
+  const auto commands = queue.take();
+  ASSERT_EQ(commands.size(), 2u);
+  EXPECT_EQ(commands[0].kind, CommandKind::kStart);
+  EXPECT_EQ(commands[1].kind, CommandKind::kAbort);
 }
 
 TEST(CommandQueue, StaysSmallAndKeepsTheAbort) {

@@ -1,6 +1,6 @@
 // Where the robot may be told to drive.
 
-#include "services/task-manager/drive_field.hpp"
+#include "services/task-manager/plans/drive_field.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "services/task-manager/base_reports.hpp"
+#include "services/task-manager/inputs/base_reports.hpp"
 #include "tests/unit/task-manager/fake_robot.hpp"
 
 namespace markservo::task_manager {

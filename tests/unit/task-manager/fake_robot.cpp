@@ -1,11 +1,14 @@
 #include "tests/unit/task-manager/fake_robot.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "common/robot/arm_kinematics.hpp"
 #include "common/robot/workspace.hpp"
-#include "services/task-manager/approach_plan.hpp"
+#include "common/task/transitions.hpp"
+#include "services/task-manager/plans/approach_plan.hpp"
 
 namespace markservo::task_manager {
 namespace {
@@ -23,8 +26,8 @@ robot::RobotDescription default_robot() {
 
 FakeRobot::FakeRobot() : FakeRobot(default_robot()) {}
 
-FakeRobot::FakeRobot(const robot::RobotDescription& description)
-    : robot_(description), procedure_(description, Parameters()) {
+FakeRobot::FakeRobot(const robot::RobotDescription& description, const Parameters& parameters)
+    : robot_(description), procedure_(description, parameters) {
   q_ = robot_.arm ? robot_.arm->home : robot::JointVector::Zero();
   start_ = p_CT;
 }
@@ -220,9 +223,18 @@ Output FakeRobot::frame() {
     drive_goal_ = *last_.drive_goal;
     ++drive_goals_sent_;
   }
-  if (phases_.empty() || phases_.back() != last_.phase) phases_.push_back(last_.phase);
+  note(last_.phase);
   if (frames_of_old_goals_ > 0) --frames_of_old_goals_;
   return last_;
+}
+
+void FakeRobot::note(Phase phase) {
+  if (!phases_.empty() && phases_.back() == phase) return;
+  if (!phases_.empty()) {
+    EXPECT_TRUE(may_follow(phases_.back(), phase))
+        << name_of(phases_.back()) << " to " << name_of(phase) << ": " << last_.reason;
+  }
+  phases_.push_back(phase);
 }
 
 void FakeRobot::blind_for(double seconds) {

@@ -2,7 +2,7 @@
 
 // A kinematic stand-in for arm, base, cameras, visual-servo and base-navigator that drives the procedure's core:
 // postures are reached after some frames, servoing converges, a gripped book follows the hand, the base slides to its
-// goal.
+// goal. A phase that does not follow from the one before (common/task/transitions.hpp) fails the test.
 
 #include <Eigen/Geometry>
 #include <functional>
@@ -20,7 +20,7 @@ robot::RobotDescription default_robot();
 class FakeRobot {
  public:
   FakeRobot();
-  explicit FakeRobot(const robot::RobotDescription& description);
+  explicit FakeRobot(const robot::RobotDescription& description, const Parameters& parameters = Parameters());
 
   // What a test may set at any time.
   Eigen::Vector3d p_CT{0.0325, 0.25, 0.032};  // m, the red book's mark
@@ -52,6 +52,8 @@ class FakeRobot {
   void run_for(double seconds);
   // The simulated world begins anew: book and arm are where they were, the hand is open.
   void reset_world();
+  // A person moves the arm.
+  void push_arm_to(const robot::JointVector& q) { q_ = q; }
   // task-manager dies and comes back.
   void restart_task_manager();
 
@@ -85,6 +87,7 @@ class FakeRobot {
   void look_for_trespass();
   ServoReport report();
   bool in_view(const Eigen::Isometry3d& X_CM, double size) const;
+  void note(Phase phase);
 
   robot::RobotDescription robot_;
   Procedure procedure_;

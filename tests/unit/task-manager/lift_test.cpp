@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "common/robot/workspace.hpp"
-#include "services/task-manager/lift_check.hpp"
-#include "services/task-manager/lift_plan.hpp"
+#include "services/task-manager/plans/lift_plan.hpp"
+#include "services/task-manager/watches/lift_check.hpp"
 #include "tests/unit/task-manager/fake_robot.hpp"
 
 namespace markservo::task_manager {

@@ -65,7 +65,7 @@ TEST(Procedure, TriesOnceMoreWhenTheBookDoesNotComeAlong) {
   robot.slips = 1;
   robot.send(CommandKind::kStart, "red_book");
   ASSERT_TRUE(robot.run_until(Phase::kRelease)) << robot.last().reason;
-  EXPECT_NE(robot.last().reason.find("the book did not come along"), std::string::npos) << robot.last().reason;
+  EXPECT_NE(robot.last().reason.find("the object did not come along"), std::string::npos) << robot.last().reason;
   ASSERT_TRUE(robot.run_until(Phase::kHoldLifted)) << robot.last().reason;
   EXPECT_EQ(robot.last().attempt, 2);
   EXPECT_EQ(robot.last().result, Result::kLifted);
@@ -79,7 +79,7 @@ TEST(Procedure, FailsAfterTwoGripsThatDidNotHold) {
   ASSERT_TRUE(robot.run_until(Phase::kFailed)) << name_of(robot.last().phase);
   EXPECT_EQ(robot.last().attempt, 2);
   EXPECT_EQ(robot.last().result, Result::kFailed);
-  EXPECT_EQ(robot.last().reason.rfind("the book did not come along: ", 0), 0u) << robot.last().reason;
+  EXPECT_EQ(robot.last().reason.rfind("the object did not come along: ", 0), 0u) << robot.last().reason;
   EXPECT_LT(robot.grip_point().y() + 0.015, robot.p_CT.y()) << "the hand has left the books";
   EXPECT_EQ(robot.trespass(), "");
 }

@@ -1,0 +1,107 @@
+#include "services/task-manager/commands.hpp"
+
+#include <string>
+
+#include "services/task-manager/guards.hpp"
+#include "services/task-manager/phases/endings.hpp"
+#include "services/task-manager/plans/approach_plan.hpp"
+#include "services/task-manager/plans/lift_plan.hpp"
+
+namespace markservo::task_manager {
+namespace {
+
+const char* word_of(CommandKind kind) {
+  switch (kind) {
+    case CommandKind::kStart:
+      return "START";
+    case CommandKind::kHome:
+      return "HOME";
+    case CommandKind::kAbort:
+      return "ABORT";
+  }
+  return "";
+}
+
+std::optional<Transition> start(const Command& command, Phase phase, PhaseContext& context) {
+  Task& task = context.task;
+  const std::string subject = "START of '" + command.target + "' ";
+  if (under_way(phase)) {
+    context.notices.push_back(subject + "ignored: " + task.command.target + " is under way (" + name_of(phase) +
+                              "); abort it first");
+    return std::nullopt;
+  }
+  const std::string why = why_no_task(command, context);
+  if (context.holding.something() && !why.empty()) {
+    context.notices.push_back(subject + "refused: " + why);
+    return refused(why);
+  }
+  task = Task();
+  task.command = command;
+  task.attempt = 1;
+  if (!why.empty()) return refused(why);
+  if (command.drive_pose) return Transition{Drive::to(*command.drive_pose), "making ready to drive"};
+  return look_for_target(context);
+}
+
+Transition put_back_and_go_home(const PhaseContext& context) {
+  const Task& task = context.task;
+  const PosturePath path =
+      plan_put_back(context.arm(), context.parameters, context.input.arm->q,
+                    robot::grip_point(context.arm(), task.at_grip.q), task.place.p_CG_first, context.closed());
+  if (!path.reachable()) return failed(std::string("cannot put it back: ") + robot::describe(path.status()));
+  return {Release(path.moves(), Release::Then::kGoHome), "putting " + task.command.target + " back"};
+}
+
+std::optional<Transition> home(Phase phase, PhaseContext& context) {
+  if (under_way(phase)) {
+    context.notices.push_back(std::string("HOME ignored: a task is under way (") + name_of(phase) +
+                              "); abort it first");
+    return std::nullopt;
+  }
+  if (auto why = why_not_home(context); !why.empty()) return stopped(why);
+  if (context.holding.something()) return put_back_and_go_home(context);
+  const ArmReport& arm = *context.input.arm;
+  const PosturePath path = plan_home(context.arm(), context.parameters, {arm.q, arm.gripper_opening});
+  if (!path.reachable()) return failed(std::string("no way home: ") + robot::describe(path.status()));
+  return Transition{GoHome(path.moves(), false), "on the way home"};
+}
+
+std::optional<Transition> abort_task(Phase phase, PhaseContext& context) {
+  if (under_way(phase)) return stopped("aborted by operator");
+  context.notices.emplace_back("nothing to abort");
+  return std::nullopt;
+}
+
+std::optional<Transition> execute(const Command& command, Phase phase, PhaseContext& context) {
+  switch (command.kind) {
+    case CommandKind::kStart:
+      return start(command, phase, context);
+    case CommandKind::kHome:
+      return home(phase, context);
+    case CommandKind::kAbort:
+      return abort_task(phase, context);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Transition> hear(const Command& command, Phase phase, motion::CommandInbox& inbox,
+                               PhaseContext& context) {
+  const motion::CommandStamp stamp{command.session, command.id, command.utime};
+  const std::int64_t now = context.input.now;
+  switch (inbox.hear(stamp, now, command.kind == CommandKind::kAbort)) {
+    case motion::CommandHeard::kExecute:
+      return execute(command, phase, context);
+    case motion::CommandHeard::kStale:
+      context.notices.push_back(std::string(word_of(command.kind)) + " refused: " + inbox.why_stale(stamp, now));
+      break;
+    case motion::CommandHeard::kAgain:
+      // A sender that counts badly is to be obeyed all the same.
+      if (command.kind == CommandKind::kAbort && under_way(phase)) return execute(command, phase, context);
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace markservo::task_manager

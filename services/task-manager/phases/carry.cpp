@@ -1,0 +1,27 @@
+#include "services/task-manager/phases/carry.hpp"
+
+#include <string>
+
+#include "services/task-manager/phases/active_phase.hpp"
+#include "services/task-manager/phases/endings.hpp"
+#include "services/task-manager/plans/carry_plan.hpp"
+
+namespace markservo::task_manager {
+
+void Carry::begin(PhaseContext& context) {
+  context.holding.carry_away();
+  way_.begin(context);
+}
+
+std::optional<Transition> Carry::step(PhaseContext& context) {
+  const MoveReport way = way_.step(context);
+  if (way.state != MoveState::kDone) return not_done(way);
+  const PosturePath path =
+      plan_release(context.arm(), context.parameters, context.arm_goals.newest().q, context.closed());
+  if (!path.reachable()) {
+    return failed(std::string("the hand cannot leave it: ") + robot::describe(path.status()));
+  }
+  return Transition{Release(path.moves(), Release::Then::kGoHomeCarried), "letting go"};
+}
+
+}  // namespace markservo::task_manager

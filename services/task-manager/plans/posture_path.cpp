@@ -1,0 +1,62 @@
+#include "services/task-manager/plans/posture_path.hpp"
+
+#include <cmath>
+
+namespace markservo::task_manager {
+namespace {
+
+constexpr double kSamePoint = 0.0005;  // m: not worth a goal of its own
+
+}  // namespace
+
+PosturePath::PosturePath(const robot::ArmDescription& arm, const robot::JointVector& start, double opening,
+                         double joint_margin)
+    : arm_(arm), end_(start), opening_(opening), joint_margin_(joint_margin) {}
+
+void PosturePath::add(const robot::JointVector& q, double speed, bool settle) {
+  Move move;
+  move.q = q;
+  move.speed = speed;
+  move.opening = opening_;
+  move.settle = settle;
+  moves_.push_back(move);
+  end_ = q;
+}
+
+void PosturePath::line_to(const Eigen::Vector3d& p_CG, double step, double speed, bool settle) {
+  const Eigen::Vector3d from = end_point();
+  const double length = (p_CG - from).norm();
+  if (length < kSamePoint) return;
+  const int pieces = static_cast<int>(std::ceil(length / step));
+  for (int i = 1; i <= pieces && reachable(); ++i) {
+    const Eigen::Vector3d point = from + (p_CG - from) * (static_cast<double>(i) / pieces);
+    const auto ik = robot::inverse_kinematics(arm_, point, joint_margin_);
+    status_ = ik.status;
+    if (reachable()) add(ik.q, speed, settle && i == pieces);
+  }
+}
+
+void PosturePath::turn_to(double yaw, double speed) {
+  const robot::JointDescription& joint = arm_.joints[0];
+  if (yaw < joint.min || yaw > joint.max) status_ = robot::ReachStatus::kYawLimit;
+  if (!reachable()) return;
+  robot::JointVector q = end_;
+  q[0] = yaw;
+  add(q, speed, true);
+}
+
+void PosturePath::joints_to(const robot::JointVector& q, double speed) {
+  if (reachable()) add(q, speed, true);
+}
+
+void PosturePath::gripper_to(double opening, double dwell) {
+  if (!reachable()) return;
+  opening_ = opening;
+  // At the start the arm may rest beside its commanded posture: it shall not move for the gripper's sake.
+  const bool nothing_yet = moves_.empty();
+  add(end_, 0.0, true);
+  moves_.back().hold = nothing_yet;
+  moves_.back().dwell = dwell;
+}
+
+}  // namespace markservo::task_manager
