@@ -94,7 +94,10 @@ check_versions() {
 
 check_others() {
   local line mend findings_of_others wrong_before=$faults
-  findings_of_others=$(jq -r '
+  findings_of_others=$(jq -r --arg get_this_version "$get_this_version" '
+    # Who it is, as far as the bus tells.
+    def who($services; $session): first($services[] | select(.session == $session) |
+      "\(.name) (version \(.version)) on \(.host)") // "one that does not say its name (session \($session))";
     ([.services[] | select(.duplicate)] | group_by([.robot, .name])[]
       | ["\(length) processes are \(.[0].name): " + (map("\(.pid) on \(.host)") | join(", ")),
          "end all but one: " + (map("kill \(.pid) (on \(.host))") | join(" or "))]),
@@ -107,9 +110,15 @@ check_others() {
          if ($known | length) > 0
          then "end all but one: " + ([$known[] | "kill \(.pid) (\(.name) on \(.host))"] | join(" or "))
          else "build/release/bin/bus-census (and end what is no service of ours)" end]),
-    (.channels[] | select(.several_types)
+    (.services as $services | .channels[] | .channel as $channel | .other_versions[]?
+      | [$services[] | select(any(.channels[]?; .channel == $channel and .decode_failures > 0)).session] as $readers
+      | ["\(who($services; .session)) writes \($channel) as another version of \(.type), \(.hash), than " +
+          (if $readers == [] then "ours" else [$readers[] | who($services; .)] | join(", ") + " can read" end) +
+          ", \(.our_hash)",
+         "the same version on each host: \($get_this_version)"]),
+    (.channels[] | select(.several_types and (.other_versions // []) == [])
       | ["\(.channel) carries several types: its writers are of different versions",
-         "on each host: git pull && scripts/build release && scripts/stack restart"])
+         "on each host: \($get_this_version)"])
     | @tsv' "$heard_file")
   while IFS=$'\t' read -r line mend; do
     if [[ -n $line ]]; then wrong others "$line" "$mend"; fi
