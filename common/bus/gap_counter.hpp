@@ -20,9 +20,9 @@ class GapCounter {
     if (seq < 0 || seq > kMaxLost) return 0;
     if (newest_ < 0 || seq == newest_ + 1) {
       newest_ = seq;
-      // What stood ahead came before its turn only; what is further ahead the writer itself has denied.
+      // What stood ahead came before its turn only.
       if (ahead_ && *ahead_ == newest_ + 1) newest_ = *ahead_;
-      ahead_.reset();
+      if (ahead_ && *ahead_ <= newest_) ahead_.reset();
       return 0;
     }
     if (seq <= newest_ && newest_ - seq <= kFar) return 0;

@@ -136,8 +136,8 @@ class Census {
   explicit Census(int64_t utime) : begin_us_(utime) {}
 
   void hear(const Heard& message);
-  // From now on these are known: what they say and write finds room whatever others send, and where two processes claim
-  // one session it is theirs.
+  // From now on these are known: what they say and write finds room whatever others send under other names, and where
+  // two processes claim one session it is theirs.
   void know(const KnownProcesses& known);
   // A SERVICE_STATUS; the same message goes to hear(Heard) too. `utime`: us, when it came.
   void hear(const ServiceWord& word, int64_t utime);

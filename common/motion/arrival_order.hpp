@@ -3,7 +3,9 @@
 // Whether a message of one writer comes in its turn. UDP, bridges and bad links deliver late, twice and out of order;
 // that is no new beginning, while a clock that was set back is one.
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 
 #include "common/motion/stamp.hpp"
 
@@ -13,7 +15,7 @@ enum class Arrival {
   kNext,    // goes on from the one before, or is the first
   kLate,    // comes late, twice or out of turn: to be dropped
   kAnew,    // the writer's numbers or its clock began anew: what is known of before no longer holds
-  kDouble,  // numbered as an earlier one, yet of a later time: two write with one session
+  kDouble,  // numbered as an earlier one, yet of another time: two write with one session
 };
 
 struct ArrivalParameters {
@@ -29,6 +31,7 @@ struct ArrivalParameters {
 // | above       | below, by up to 1 s  | late                                  |
 // | above       | below, by more       | anew                                  |
 // | not above   | not above            | late; however many, when over 1 s back |
+// | taken, of late | another           | double                                |
 // | not above   | above                | double                                |
 // | the third late or double one in a row, each above the one before in both | | anew: the writer is alone again |
 class ArrivalOrder {
@@ -46,11 +49,15 @@ class ArrivalOrder {
  private:
   Arrival take(const Stamp& stamp, Arrival arrival);
   Arrival out_of_turn(const Stamp& stamp, Arrival verdict);
+  bool taken_with_another_time(const Stamp& stamp) const;
+
+  static constexpr std::size_t kTaken = 64;  // 0.6 s of the quickest channel: more than links delay
 
   ArrivalParameters parameters_;
   bool empty_ = true;
   Stamp last_;
-  int run_ = 0;  // late or double ones in a row, each above the one before
+  std::deque<Stamp> taken_;  // the last ones, the newest at the end
+  int run_ = 0;              // late or double ones in a row, each above the one before
   Stamp run_last_;
 };
 

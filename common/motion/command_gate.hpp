@@ -50,13 +50,14 @@ const char* describe(CommandVerdict verdict);
 struct CommandGateParameters {
   double life = 0.3;    // s; older or missing commands stop motion
   double ahead = 0.02;  // s by which hosts' clocks may disagree
+  WriterParameters writer;
 };
 
 class CommandGate {
  public:
   // `channel` for the words; `session`: of this mover's own reports.
   CommandGate(const std::string& channel, std::int64_t session, CommandGateParameters parameters = {})
-      : session_(session), parameters_(parameters), writer_(channel, {parameters.life, 1.0, {}}) {}
+      : session_(session), parameters_(parameters), writer_(channel, parameters.writer) {}
 
   // Judges a command that arrives at `now` (us, the mover's time). `latched`: whether STOP holds the mover.
   CommandVerdict offer(const OfferedCommand& command, std::int64_t now, bool latched);

@@ -16,13 +16,16 @@ CommandHeard CommandInbox::hear(const CommandStamp& command, std::int64_t now, b
                                    [&command](const Sender& one) { return one.session == command.session; });
   // One that must be obeyed and says nothing of who sends it is new each time: to stop once too often is safe.
   const bool nameless = always && (command.session < 1 || command.id < 1);
-  if (!nameless && sender != senders_.end() && command.id <= sender->last_id) return CommandHeard::kAgain;
+  const bool again = !nameless && sender != senders_.end() && command.id <= sender->last_id;
+  if (again && !always) return CommandHeard::kAgain;
   if (!always && !why_stale(command, now).empty()) return CommandHeard::kStale;
+  session_ = command.session;
+  id_ = command.id;
+  if (again) return CommandHeard::kAgain;
+  if (nameless) return CommandHeard::kExecute;
   if (sender != senders_.end()) senders_.erase(sender);
   senders_.push_back({command.session, command.id});
   if (senders_.size() > kSenders) senders_.pop_front();
-  session_ = command.session;
-  id_ = command.id;
   return CommandHeard::kExecute;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
 // Commands of people and programs (RESET, START, HOME, world resets): repeated until they are echoed, executed at most
-// once, and only while they are fresh. STOP and ABORT are obeyed whatever their age.
+// once, and only while they are fresh. STOP and ABORT are obeyed whatever their age, and by who hears them also when
+// heard again, where they find something to stop.
 //
 // | heard                                             | then                                                     |
 // | ------------------------------------------------- | -------------------------------------------------------- |
@@ -31,7 +32,7 @@ class CommandInbox {
   // `channel` and `clock` (whose time the mover's is) for the words.
   CommandInbox(const char* channel, const char* clock) : rule_{channel, clock, kCommandAge_s, kCommandAge_s} {}
 
-  // `now`: us, the mover's time. `always`: of any age.
+  // `now`: us, the mover's time. `always`: of any age, and echoed whenever it is heard.
   CommandHeard hear(const CommandStamp& command, std::int64_t now, bool always);
 
   // Why a command is stale at `now`; empty when it is not.

@@ -9,8 +9,9 @@
 namespace markservo::motion {
 namespace {
 
-constexpr double kAlone_s = 1.0;      // s without another's word after which one sends alone
-constexpr std::size_t kSenders = 64;  // as many as a hostile one may make us remember
+constexpr double kAlone_s = 1.0;  // s without another's word after which one sends alone
+// As many as a hostile one may make us remember: more than can speak between two repetitions of one.
+constexpr std::size_t kSenders = 4096;
 
 // Whether a repetition at `utime` tells more of the goal's age than the one at `known`. The later one does, unless it
 // is ahead of the clock by more than the other is behind: a clock that went back leaves such times.
@@ -96,6 +97,9 @@ void GoalInbox::take_floor(std::int64_t session, std::int64_t now) {
 bool GoalInbox::end_unless_fresh(std::int64_t now, double age) {
   if (!goal_ || fresh(now, age)) return false;
   end();
+  holder_ = 0;
+  second_.reset();
+  ignored_.clear();
   return true;
 }
 

@@ -13,10 +13,10 @@
 // | any     | session 0, of no sender                                   | ended                          |
 // | any     | a goal too old or too far ahead                           | stale; it may come again fresh |
 // | any     | of another sender while the floor's holder repeats        | second                         |
-// | any     | an id that was replaced or ended                          | ended                          |
+// | any     | an id that was replaced, ended or ignored                 | ended; it takes no floor       |
 // | latched | any other                                                 | ended at once                  |
 // | follows | the id that is followed                                   | again: renewed                 |
-// | any     | any other                                                 | new: followed                  |
+// | any     | any other; from another than the holder, who is silent    | new: followed, with the floor  |
 // | any     | the first again after a second, and neither is known to be the first | contested: all stops |
 
 #include <cstdint>
@@ -46,7 +46,8 @@ class GoalInbox {
 
   // The goal, and all before it of its sender, will not be taken up again: a stop, or another beginning.
   void end() { goal_.reset(); }
-  // Another beginning at `now` (us): likewise, but for a goal that is fresh then. True if one was ended.
+  // Another beginning at `now` (us): likewise, but for a goal that is fresh then. True if one was ended: its sender had
+  // the floor without right, and what was ignored for it may begin.
   bool end_unless_fresh(std::int64_t now, double age);
 
   // The one that is followed; its utime is that of the repetition nearest to now.

@@ -41,12 +41,16 @@ Heard SoleWriter::hear_another(const Stamp& stamp, std::int64_t now) {
     other_->heard_at = now;
     return Heard::kWaits;
   }
+  const bool returns = former_ && former_->session == stamp.session && stamp.utime > former_->first_utime &&
+                       std::abs(seconds_between(former_->heard_at, now)) <= parameters_.gone;
+  former_ = Other{session_, stamp.utime, now, true};
   session_ = stamp.session;
   heard_at_ = now;
   other_.reset();
+  if (returns) other_ = former_;
   order_.forget();
   order_.judge(stamp);
-  return Heard::kAnew;
+  return returns ? Heard::kSecond : Heard::kAnew;
 }
 
 bool SoleWriter::alone(std::int64_t now) const {

@@ -1,8 +1,9 @@
 #pragma once
 
 // A channel that one may write. Who writes keeps the floor while it speaks; another one is heard when the floor has
-// been free for a while, as after a restart. When the first speaks again after another did, two write, until one writes
-// alone again: then it is heard, and whether anything may move by it is for its reader's ConflictGuard to say.
+// been free for a while, as after a restart. When the first speaks again after another did, or takes the floor back,
+// two write, until one writes alone again: then it is heard, and whether anything may move by it is for its reader's
+// ConflictGuard to say.
 
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,7 @@ std::string two_write(const std::string& what, std::int64_t one, std::int64_t ot
 struct WriterParameters {
   double floor = 0.3;  // s of silence after which another may take the floor: what moves stands by then
   double alone = 1.0;  // s without another's word after which one writes alone again
+  double gone = 5.0;   // s in which one that lost the floor and takes it back shows that it had not ended
   ArrivalParameters arrival;
 };
 
@@ -47,7 +49,10 @@ class SoleWriter {
   // Which two write.
   std::string words() const { return two_write(channel_, session_, other()); }
   // What was said beside the writer is settled; nothing of it is held against anyone.
-  void settle() { other_.reset(); }
+  void settle() {
+    other_.reset();
+    former_.reset();
+  }
   // All times are of another clock from now on.
   void forget_order() { order_.forget(); }
 
@@ -67,6 +72,7 @@ class SoleWriter {
   std::int64_t session_ = 0;
   std::int64_t heard_at_ = 0;  // us, of now
   std::optional<Other> other_;
+  std::optional<Other> former_;  // who had the floor before
 };
 
 }  // namespace markservo::motion

@@ -6,11 +6,14 @@
 // | state    | event                               | then                                    |
 // | -------- | ----------------------------------- | --------------------------------------- |
 // | latched  | RESET, fresh                        | released, unless two command the mover  |
-// | released | STOP, of any age; the mover's own   | latched                                 |
+// | released | any STOP; the mover's own           | latched                                 |
 // | any      | RESET older or newer than 2 s       | stays; not echoed                       |
-// | any      | a request that was executed before  | stays; echoed                           |
+// | latched  | RESET of before the newest STOP     | stays; not echoed                       |
+// | any      | a RESET that was executed before    | stays; echoed                           |
+// | latched  | a STOP that was executed before     | stays; echoed                           |
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "common/motion/command_inbox.hpp"
@@ -39,12 +42,10 @@ class StopLatch {
 
   // `now`: us, the mover's time. `obstacle`: why it cannot be released now; empty when it can.
   StopHeard hear(const StopRequestStamp& request, std::int64_t now, const std::string& obstacle = {});
-  std::string why_stale(const StopRequestStamp& request, std::int64_t now) const {
-    return inbox_.why_stale(request.stamp, now);
-  }
+  std::string why_stale(const StopRequestStamp& request, std::int64_t now) const;
 
-  // By the mover itself: two command it, the world begins anew.
-  void latch(const std::string& reason);
+  // By the mover itself at `now` (us): two command it, the world begins anew.
+  void latch(const std::string& reason, std::int64_t now);
 
   bool latched() const { return latched_; }
   const std::string& reason() const { return reason_; }
@@ -55,6 +56,7 @@ class StopLatch {
  private:
   CommandInbox inbox_;
   bool latched_ = true;
+  std::int64_t latched_at_ = std::numeric_limits<std::int64_t>::min();  // us, when it was last told to stop
   std::string reason_ = "comes up stopped";
 };
 

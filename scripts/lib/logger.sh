@@ -10,6 +10,7 @@ start_logger() {
   # argument, the other renames files while they are written.
   if [[ -n $split ]]; then arguments+=(-i --split-mb="$split"); fi
   # A session of its own: Ctrl-C is for this script, which then ends the logger with care.
+  words_before=$(stat -L -c %s -- "$words_file")
   setsid setpriv --pdeathsig TERM -- "$repository/scripts/lib/keep-logger" $$ "$words" "${arguments[@]}" \
     "$folder/$1" </dev/null >/dev/null 2>&"$words" &
   keeper=$!
@@ -35,7 +36,7 @@ await_bus() {
   done
   listens_since=$EPOCHREALTIME
   sleep 0.2 # for LCM's test of itself
-  is_alive && ! grep -q 'self test failed' "$words_file" && note_interfaces
+  is_alive && ! tail -c +$((words_before + 1)) -- "$words_file" | grep -q 'self test failed' && note_interface
 }
 
 # refuse_bus: says why there is none.
@@ -98,32 +99,32 @@ next_name() {
   printf 'log.lcm\n'
 }
 
-# group_of URL: a bus's multicast group as /proc/net/igmp has it; nothing for another bus.
+# group_of URL: a bus's multicast group; nothing for another bus.
 group_of() {
-  local a b c d
   [[ $1 == udpm://* ]] || return 0
-  IFS=. read -r a b c d < <(sed -E 's|^udpm://([0-9.]*).*|\1|; s|^$|239.255.76.67|' <<<"$1")
-  if [[ -n $d ]]; then printf '%02X%02X%02X%02X\n' "$d" "$c" "$b" "$a" 2>/dev/null || true; fi
+  sed -E 's|^udpm://([0-9.]*).*|\1|; s|^$|239.255.76.67|' <<<"$1"
 }
 
-# interfaces_of GROUP: the numbers of the interfaces that take part in it, one a line.
-interfaces_of() { awk -v group="$1" '/^[0-9]/ { number = $1 } $1 == group { print number }' /proc/net/igmp 2>/dev/null | sort; }
+# interface_of GROUP: the number of the interface on which who joins the group now hears it; nothing where none is.
+interface_of() {
+  local name
+  name=$(ip -o route get "$1" 2>/dev/null | sed -nE 's/.* dev ([^ ]+).*/\1/p') || true
+  if [[ -n $name ]]; then ip -o link show dev "$name" 2>/dev/null | cut -d : -f 1 || true; fi
+}
 
-# all_interfaces: the numbers of those that there are, one a line.
-all_interfaces() { awk '/^[0-9]/ { print $1 }' /proc/net/igmp 2>/dev/null | sort; }
-
-# note_interfaces: where lcm-logger, which has just begun to listen, may hear.
-note_interfaces() {
+# note_interface: where lcm-logger, which has just begun to listen, may hear.
+note_interface() {
   group=$(group_of "$lcm_url")
-  interfaces=''
-  if [[ -n $group ]]; then interfaces=$(interfaces_of "$group"); fi
+  interface=''
+  if [[ -n $group ]]; then interface=$(interface_of "$group"); fi
   heard_until=$EPOCHREALTIME
 }
 
-# can_hear: false when an interface that the group was joined on is gone: whoever joined it there hears nothing any more,
+# can_hear: false when the interface that the group was joined on is gone: whoever joined it there hears nothing any more,
 # and is not told. One that came back has another number.
 can_hear() {
-  if [[ -n ${interfaces-} && -n $(comm -23 <(printf '%s\n' "$interfaces") <(all_interfaces)) ]]; then return 1; fi
+  local links
+  if [[ -n ${interface-} ]] && links=$(ip -o link 2>/dev/null) && ! grep -q "^$interface:" <<<"$links"; then return 1; fi
   heard_until=$EPOCHREALTIME
 }
 

@@ -64,7 +64,7 @@ void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
   world_ = std::move(world);
   settings_ = settings;
   seed_ = seed;
-  latch_.latch("the world was reset");
+  latch_.latch("the world was reset", utime());
   delayed_.clear();
   step_count_ += kResetPause_us / kStep_us;
   frame_number_ = 0;
@@ -118,7 +118,7 @@ CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::in
   judged.leads = answer.leads.has_value();
   answer.verdict = gate_.offer(judged, utime(), latch_.latched());
   if (answer.verdict == motion::CommandVerdict::kTwoWriters) {
-    latch_.latch(gate_.two_writers());
+    latch_.latch(gate_.two_writers(), utime());
     freeze();
   }
   if (answer.verdict != motion::CommandVerdict::kObeyed) return answer;
@@ -135,7 +135,7 @@ motion::CommandVerdict Simulation::command_base(const motion::OfferedCommand& of
   if (!base_) return motion::CommandVerdict::kOtherMover;
   const auto verdict = base_gate_.offer(offered, utime(), latch_.latched());
   if (verdict == motion::CommandVerdict::kTwoWriters) {
-    latch_.latch(base_gate_.two_writers());
+    latch_.latch(base_gate_.two_writers(), utime());
     freeze();
   }
   if (verdict == motion::CommandVerdict::kObeyed) base_->command(speed, turn_rate);

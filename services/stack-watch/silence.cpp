@@ -17,6 +17,7 @@ void SilenceWatch::hear_word(const std::string& name, int pid, int64_t session, 
   }
   speaker.spoke = true;
   have_spoken_.insert(name);
+  mute_.erase(name);
   hear_of(key, now_us);
 }
 
@@ -64,11 +65,12 @@ std::vector<SilentService> SilenceWatch::tick(const std::vector<RunningProcess>&
 }
 
 bool SilenceWatch::is_silent(const Key& key, const Speaker& speaker, int64_t now_us) {
-  const int64_t limit = speaker.spoke ? limit_us() : std::max(limit_us(), parameters_.start_us);
-  if (now_us - speaker.counted_us < limit) return false;
-  if (speaker.spoke || have_spoken_.count(key.first) > 0) return true;
-  if (mute_[key.first] >= parameters_.mute_in_a_row) return false;
-  ++mute_[key.first];
+  if (speaker.spoke) return now_us - speaker.counted_us >= limit_us();
+  int& mute = mute_[key.first];
+  const int64_t start_us = parameters_.start_us << std::min(mute, parameters_.start_doubled);
+  if (now_us - speaker.counted_us < std::max(limit_us(), start_us)) return false;
+  if (have_spoken_.count(key.first) == 0 && mute >= parameters_.mute_in_a_row) return false;
+  ++mute;
   return true;
 }
 

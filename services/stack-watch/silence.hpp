@@ -19,6 +19,8 @@ struct SilenceParameters {
   int64_t silence_us = 5'000'000;
   // For the first word: a service reads its files before, which takes a loaded machine several seconds.
   int64_t start_us = 15'000'000;
+  // Twice as long for the next one of its name, so often: a kill would only have it begin the same work again.
+  int start_doubled = 4;
   // So many processes of a name in a row are told that say no word, where none of that name ever did: it may speak on
   // another bus.
   int mute_in_a_row = 3;

@@ -7,7 +7,7 @@ namespace markservo::task_manager {
 
 void CommandQueue::add(const Command& command) {
   const auto known = std::find_if(waiting_.begin(), waiting_.end(), [&](const Command& other) {
-    return other.session == command.session && other.id == command.id;
+    return other.session == command.session && other.id == command.id && other.kind == command.kind;
   });
   if (known != waiting_.end()) {
     *known = command;

@@ -12,6 +12,7 @@
 namespace markservo::task_manager {
 namespace {
 
+constexpr std::int64_t kWorthAWord_us = 500'000;
 constexpr double kOpened = 0.006;  // m wider than the object: the hand does not hold it
 
 }  // namespace
@@ -32,8 +33,10 @@ void ProcedureStep::run() {
   watch_the_hand();
   for (const Command& command : in_.commands) hear(command);
   watch_the_servo();
+  insist_on_rest();
   if (under_way(s_.phase)) run_phase();
-  if (s_.goal.id == 0 && in_.arm && robot_.arm) hold();
+  // Not before its device is known: who reports before may be anyone, and the hand may hold something.
+  if (s_.goal.id == 0 && in_.arm && in_.stop.known && robot_.arm) hold();
   command_the_base();
 
   const bool send_goal = s_.goal.id != 0 && (s_.goal_is_new || s_.repeat.due(in_.utime));
@@ -60,9 +63,9 @@ void ProcedureStep::pass_over(std::int64_t pause_us) {
   for (auto* time : {&s_.lost_since, &s_.stale_since, &s_.stopped_since, &s_.unheard_since, &s_.move_progress.there}) {
     if (*time) **time += pause_us;
   }
-  if (!under_way(s_.phase)) return;
+  if (!under_way(s_.phase) || pause_us < kWorthAWord_us) return;
   char text[96];
-  std::snprintf(text, sizeof text, "nothing came from visual-servo for %.1f s: the task goes on from there",
+  std::snprintf(text, sizeof text, "SERVO_STATUS left out %.1f s by its times: the task goes on from there",
                 1e-6 * static_cast<double>(pause_us));
   out_.notices.emplace_back(text);
 }
@@ -70,9 +73,9 @@ void ProcedureStep::pass_over(std::int64_t pause_us) {
 // All that is timed would wait for the old time to come again.
 void ProcedureStep::watch_the_clock() {
   constexpr double kStep_s = 1.0;
-  constexpr std::int64_t kPause_us = 500'000;  // goals have aged by then
+  constexpr std::int64_t kGoalAge_us = 600'000;  // arm and base hold from then on
   const std::int64_t before = std::exchange(s_.utime, in_.utime);
-  if (before != 0 && in_.utime - before > kPause_us) pass_over(in_.utime - before);
+  if (before != 0 && in_.utime - before > kGoalAge_us) pass_over(in_.utime - before - kGoalAge_us);
   if (seconds_between(in_.utime, before) <= kStep_s) return;
   s_.lost_since.reset();
   s_.stale_since.reset();
@@ -111,6 +114,24 @@ void ProcedureStep::watch_the_stop_devices() {
   }
   // Movers obey no goal from before the reset: without a new one the gripper would be told nothing.
   if ((latched_before || in_.stop.meanwhile) && !in_.stop.latched && s_.goal.id != 0) hold();
+}
+
+// Whoever took the floor before us, an earlier run of ours perhaps, may have fallen silent by now: only a new goal is
+// heard then.
+void ProcedureStep::insist_on_rest() {
+  constexpr double kUnanswered_s = 1.0;
+  const auto unanswered = [&](bool now, std::optional<std::int64_t>& since) {
+    if (!now) since.reset();
+    if (now && !since) since = in_.utime;
+    if (!now || seconds_between(*since, in_.utime) <= kUnanswered_s) return false;
+    since.reset();
+    return true;
+  };
+  const bool resting = !under_way(s_.phase) && !in_.stop.latched;
+  const auto ignored = [](const auto& report) { return report.goal_id == 0 && !report.follows_another; };
+  if (unanswered(resting && s_.goal.id != 0 && ignored(in_.servo), s_.arm_unanswered_since)) send(s_.goal);
+  const bool base_rests = resting && !s_.drive.goal.drive && s_.drive.goal.id != 0;
+  if (unanswered(base_rests && in_.base && ignored(*in_.base), s_.drive.unanswered_since)) send(s_.drive.goal);
 }
 
 void ProcedureStep::watch_the_servo() {
@@ -161,6 +182,8 @@ void ProcedureStep::hear(const Command& command) {
                              " refused: " + s_.inbox.why_stale(stamp, in_.now));
       break;
     case motion::CommandHeard::kAgain:
+      // A sender that counts badly is to be obeyed all the same.
+      if (command.kind == CommandKind::kAbort && under_way(s_.phase)) execute(command);
       break;
   }
 }

@@ -51,6 +51,7 @@ struct DriveTask {
   int corrections = 0;  // drives after the first
   bool goal_is_new = false;
   bool driven = false;  // the base was told to drive for this task
+  std::optional<std::int64_t> unanswered_since;
 };
 
 struct State {
@@ -71,6 +72,7 @@ struct State {
   std::int64_t since = 0;       // us, begin of the stage
   std::int64_t seen_utime = 0;  // us, when what the stage waits for was last seen
   std::optional<std::int64_t> lost_since, stale_since, stopped_since, unheard_since;
+  std::optional<std::int64_t> arm_unanswered_since;
 
   std::vector<Move> moves;  // the way that is gone, and how far
   std::size_t move_index = 0;

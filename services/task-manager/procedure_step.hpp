@@ -22,6 +22,7 @@ class ProcedureStep {
   void watch_the_arm();
   void watch_the_stop_devices();
   void watch_the_servo();
+  void insist_on_rest();
   void watch_the_hand();
   void hear(const Command& command);
   void execute(const Command& command);

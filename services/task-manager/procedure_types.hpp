@@ -40,6 +40,7 @@ struct ServoReport {
   ServoState state = ServoState::kHold;
   bool settled = false;
   std::string reason;
+  bool follows_another = false;  // someone else's goal, which is repeated
 };
 
 struct MarkReport {
@@ -62,6 +63,7 @@ struct BaseReport {
   std::int64_t goal_id = 0;  // of ours; 0 when it answers someone else's or none
   BaseState state = BaseState::kHold;
   std::string reason;
+  bool follows_another = false;  // someone else's goal, which is repeated
 };
 
 struct StopReport {

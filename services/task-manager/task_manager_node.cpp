@@ -121,9 +121,11 @@ void TaskManagerNode::on_stop(const StopState& stop) {
   if (std::find(devices.begin(), devices.end(), stop.device) == devices.end()) return;
   const motion::Word word = watch(stop.device).hear_stop_state(stamp_of(stop), stop.latched != 0, stop.reason);
   ask_for_stops();
-  if (word == motion::Word::kReplaced && stop.device == arm_device_ && strangers_ &&
-      strangers_->session == stop.session) {
-    input_.arm = strangers_;
+  if (word == motion::Word::kReplaced && stop.device == arm_device_) {
+    const bool heard = strangers_ && strangers_->session == stop.session;
+    if (heard) input_.arm = strangers_;
+    // What another said before anyone was known tells nothing of what the hand holds.
+    if (!heard && state_.goal.id == 0) input_.arm.reset();
   }
   drop(motion::why_dropped(word));
   stop_state_utimes_[stop.device] = stop.utime;
@@ -179,6 +181,7 @@ void TaskManagerNode::on_base(const BaseStatus& status) {
   report.goal_id = status.goal_session == base_goals_->session() ? status.goal_id : 0;
   report.state = messages::state_of<BaseState>(status.state);
   report.reason = status.reason;
+  report.follows_another = status.goal_session != 0 && report.goal_id == 0 && report.state != BaseState::kStale;
   base_reports_.add(report);
 }
 
@@ -193,6 +196,7 @@ ServoReport TaskManagerNode::servo_report(const ServoStatus& status) {
   report.state = messages::state_of<ServoState>(status.state);
   report.settled = status.settled != 0;
   report.reason = status.reason;
+  report.follows_another = status.goal_session != 0 && report.goal_id == 0 && report.state != ServoState::kStale;
   if (why.empty()) return report;
   report.state = ServoState::kStale;
   report.settled = false;

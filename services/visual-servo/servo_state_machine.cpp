@@ -65,6 +65,7 @@ motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) con
   state.goal = goal;
   state.goal_refusal = why_goal_is_refused(robot_, goal);
   state.dropped.clear();
+  state.adopted_in_hold = false;
   state.target.forget();
   state.sight = SightState();
   state.paper_frames = 0;
@@ -115,6 +116,7 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
 
   if (!state.blocked.empty()) {
     hold(state);
+    adopt_gripper(state);
     status.state = ServoState::kStopped;
     status.reason = state.blocked;
   } else if (!state.stop_latched || *state.stop_latched) {
@@ -133,6 +135,7 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     state.sight.window.clear();
     state.paper_frames = 0;
     slow_down(state);
+    adopt_gripper(state);
     status.state = ServoState::kStale;
     status.reason = goal_stale;
   } else {
@@ -174,13 +177,6 @@ void ServoStateMachine::adopt_joints(State& state) const {
   state.command.gripper_force = arm_.gripper.force_max;
 }
 
-// The gripper stays as it is: one that was moving does not go on, one that presses goes on pressing.
-void ServoStateMachine::adopt_gripper(State& state) const {
-  const JointSample& now = state.joints.newest();
-  const bool holds = state.gripper.pressing || (now.contact && state.command.gripper_opening < now.gripper_opening);
-  if (!holds) set_opening(now.gripper_opening, state);
-}
-
 std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& state) const {
   if (!pose.doubt.empty()) return pose.doubt;
   const motion::Freshness rule{"TARGET_POSE", "JOINT_STATE", parameters_.pose_age, parameters_.joint_age};
@@ -201,14 +197,22 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
   const JointSample& now = state.joints.newest();
   const SettlingParameters& settling = parameters_.sight.settling;
   const bool elsewhere = (now.position - state.command.position).cwiseAbs().maxCoeff() > parameters_.lost_arm;
-  if (elsewhere && at_rest_since(settling, state.joints, state.command.position, state.command_utime)) {
+  const bool holds = !state.goal || state.goal->kind == GoalKind::kHold;
+  const bool rests_elsewhere =
+      elsewhere && at_rest_since(settling, state.joints, state.command.position, state.command_utime).has_value();
+  // Once only while it holds: an arm that sags, or a report that is wrong, would lead it on without end.
+  if (rests_elsewhere && !(holds && state.adopted_in_hold)) {
     adopt_joints(state);
+    state.adopted_in_hold = holds;
+  } else if (rests_elsewhere) {
+    status.reason = "the arm does not rest where it is told to";
   }
   status.settled = at_rest_since(settling, state.joints, state.command.position, state.command_utime).has_value();
   if (!state.goal) {
     status.state = ServoState::kHold;
-    status.reason = state.dropped.empty() ? "no goal" : state.dropped;
+    if (status.reason.empty()) status.reason = state.dropped.empty() ? "no goal" : state.dropped;
     slow_down(state);
+    adopt_gripper(state);
     return;
   }
   const Goal& goal = *state.goal;
@@ -376,18 +380,6 @@ void ServoStateMachine::servo_paper(const PoseSample& pose, const MarkSample& ha
     step = inside_limits(arm_, state.command.position + step) - state.command.position;
   }
   move(step, false, !there, state, status);
-}
-
-void ServoStateMachine::set_gripper(const Goal& goal, State& state) const {
-  set_opening(goal.gripper_opening, state);
-  state.command.gripper_force = std::clamp(goal.gripper_force, 0.0, arm_.gripper.force_max);
-}
-
-void ServoStateMachine::set_opening(double opening, State& state) const {
-  const double allowed = std::clamp(opening, 0.0, arm_.gripper.opening_max);
-  if (allowed == state.command.gripper_opening) return;
-  state.command.gripper_opening = allowed;
-  state.gripper_utime = state.joints.newest().utime;
 }
 
 double ServoStateMachine::grip_speed_limit(const Goal& goal) const {

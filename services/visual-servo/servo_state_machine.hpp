@@ -50,7 +50,8 @@ struct State {
   std::string dropped;       // why the last goal was dropped, until the next one
 
   bool commanded = false;
-  bool adopt_joints = false;  // the command no longer belongs to this arm's state
+  bool adopt_joints = false;     // the command no longer belongs to this arm's state
+  bool adopted_in_hold = false;  // an arm that rested elsewhere was taken where it was, since the goal began
   Command command;
   std::int64_t command_utime = 0;  // us, joints' clock, when command.position last changed
   std::int64_t gripper_utime = 0;  // us, likewise command.gripper_opening

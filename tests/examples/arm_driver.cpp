@@ -39,7 +39,7 @@ void ArmDriver::on_command(const JointCommand& command) {
   offered.leads = motion::leading_joint(command.position, speeds, shaft).has_value();
   const motion::CommandVerdict verdict = gate_->offer(offered, now_(), latch_.latched());
   if (verdict == motion::CommandVerdict::kTwoWriters) {
-    latch_.latch(gate_->two_writers());
+    latch_.latch(gate_->two_writers(), now_());
     wanted_ = position_;
     tell_stop_state();
   }

@@ -8,17 +8,18 @@
 #include "common/bus/session.hpp"
 #include "common/time/seconds_between.hpp"
 #include "tests/experiments/task_words.hpp"
+#include "tests/system/fault_campaign/bars.hpp"
 #include "tests/system/fault_campaign/message_craft.hpp"
 
 namespace markservo::campaign {
 namespace {
 
 constexpr double kRepeat_s = 0.3;
-constexpr double kPatience_s = 40.0;     // a slow machine needs 20 for the carry
-constexpr double kIdle_s = 1.5;          // released and doing nothing
-constexpr double kDriving = 0.1;         // m/s
-constexpr double kMoves = 0.01;          // rad, m: more than an arm and a base shake at rest
-constexpr std::size_t kStopDevices = 2;  // arm and base
+constexpr double kPatience_s = 40.0;      // a slow machine needs 20 for the carry
+constexpr double kIdle_s = 1.5;           // released and doing nothing
+constexpr double kDriving = 0.1;          // m/s
+const double kMoves = Bars().task_moves;  // rad, m
+constexpr std::size_t kStopDevices = 2;   // arm and base
 
 bool is_end(int state) {
   return state == TaskState::DONE || state == TaskState::HOLD_LIFTED || state == TaskState::REFUSED ||

@@ -6,6 +6,7 @@
 
 #include "common/time/seconds_between.hpp"
 #include "tests/experiments/task_words.hpp"
+#include "tests/system/fault_campaign/bars.hpp"
 #include "tests/system/fault_campaign/recording_scan.hpp"
 
 namespace markservo::campaign {
@@ -14,8 +15,9 @@ namespace {
 constexpr double kRecovery_s = 15.0;
 constexpr double kShortestRecovery_s = 5.0;  // counters, rates and sizes need so much to be judged
 constexpr double kReadyFor_s = 2.0;
-constexpr double kTaskPatience_s = 42.0;  // a little above the checker's, so that a task that never ends is seen
-constexpr double kTaskStands_s = 11.0;    // likewise, by the world's time
+// A little above the checker's, so that a task that never ends is seen.
+const double kTaskPatience_s = Bars().task_patience + 2.0;
+const double kTaskStands_s = Bars().task_stands + 1.0;  // by the world's time
 
 }  // namespace
 

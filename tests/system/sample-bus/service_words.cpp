@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstdint>
 #include <lcm/lcm-cpp.hpp>
 #include <markservo/ServiceStatus.hpp>
 #include <string>

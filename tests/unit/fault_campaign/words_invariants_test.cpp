@@ -6,9 +6,9 @@
 namespace markservo::campaign {
 namespace {
 
-ForgedHistory struck_task() {
+ForgedHistory struck_task(double until = 20.0) {
   ForgedHistory forged;
-  forged.still(0.0, 20.0)
+  forged.still(0.0, until)
       .start(1.0)
       .task_state(2.0, TaskState::SERVO)
       .fault(5.0, 7.0, {"mark-detector", "TARGET_POSE"});
@@ -49,8 +49,8 @@ TEST(TasksEndWithTheReason, TakesNoPartOfANameForAName) {
 }
 
 TEST(TasksEndWithTheReason, BreaksForATaskThatStands) {
-  // The recovery's 15 s are too short for the patience of 40 s: that nothing changes for 10 s tells it.
-  ForgedHistory forged = struck_task();
+  // Before the patience of 40 s has passed: that nothing changes for 22 s tells it.
+  ForgedHistory forged = struck_task(31.0);
   forged.task_state(8.0, TaskState::SERVO);
   EXPECT_TRUE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
 }

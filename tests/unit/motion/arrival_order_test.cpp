@@ -87,6 +87,14 @@ TEST(ArrivalOrder, ALaterTimeUnderAUsedNumberIsAnotherWriters) {
   EXPECT_EQ(after_ten().judge(at(3, 105)), Arrival::kDouble);
 }
 
+TEST(ArrivalOrder, AnotherTimeUnderAUsedNumberIsAnotherWritersThoughItIsEarlier) {
+  ArrivalOrder order;
+  EXPECT_EQ(order.judge(at(1, 10)), Arrival::kNext);
+  EXPECT_EQ(order.judge(at(2, 21)), Arrival::kNext) << "forged, right before the writer's own";
+  EXPECT_EQ(order.judge(at(2, 20)), Arrival::kDouble);
+  EXPECT_EQ(order.judge(at(2, 21)), Arrival::kLate) << "a repetition is none";
+}
+
 TEST(ArrivalOrder, OneOfTwoWithOneSessionIsTheWriterAgainWhenTheOtherWithTheHigherNumbersIsGone) {
   ArrivalOrder order = after_ten();
   for (int i = 11; i <= 20; ++i) {

@@ -77,6 +77,39 @@ TEST(StopLatch, ARepeatedResetDoesNotReleaseWhatWasStoppedSince) {
   EXPECT_TRUE(latch.latched());
 }
 
+TEST(StopLatch, AnyStopLatchesThoughItsSenderCountsBadly) {
+  StopLatch latch("JOINT_STATE");
+  latch.hear(request(false, 1), kNow);
+  latch.hear({{8, 1, kNow}, true, "another's reset"}, kNow);
+  EXPECT_EQ(latch.hear(request(false, 1), kNow), StopHeard::kLatched) << "an id that it has used";
+  latch.hear({{7, 1'000, kNow}, true, "its own reset"}, kNow);
+  EXPECT_FALSE(latch.latched());
+  EXPECT_EQ(latch.hear(request(false, 2), kNow), StopHeard::kLatched) << "an id below its last";
+  EXPECT_EQ(latch.id(), 2) << "it is echoed";
+  EXPECT_EQ(latch.hear(request(false, 2), kNow), StopHeard::kAgain) << "a repetition";
+}
+
+TEST(StopLatch, ANamelessStopMakesItForgetNoReset) {
+  StopLatch latch("JOINT_STATE");
+  latch.hear(request(true, 1), kNow);
+  EXPECT_EQ(latch.hear(request(false, 0), kNow), StopHeard::kLatched);
+  EXPECT_EQ(latch.hear(request(true, 1), kNow), StopHeard::kAgain);
+  EXPECT_TRUE(latch.latched());
+}
+
+TEST(StopLatch, AResetReleasesNoStopThatIsYounger) {
+  StopLatch latch("JOINT_STATE");
+  latch.hear(request(true, 1), kNow);
+  latch.hear({{8, 1, 0}, false, "another's stop"}, kNow + 1'000'000);
+  const StopRequestStamp late = request(true, 2, kNow + 500'000);
+  EXPECT_EQ(latch.hear(late, kNow + 1'100'000), StopHeard::kStale);
+  EXPECT_EQ(latch.why_stale(late, kNow + 1'100'000), "it is of 0.50 s before the newest STOP");
+  EXPECT_EQ(latch.hear(request(true, 2, kNow + 1'000'000), kNow + 1'100'000), StopHeard::kReleased)
+      << "stamped anew, once the stop is told";
+  latch.latch("two write JOINT_COMMAND", kNow + 2'000'000);
+  EXPECT_EQ(latch.hear(request(true, 3, kNow + 1'900'000), kNow + 2'000'000), StopHeard::kStale) << "its own likewise";
+}
+
 TEST(StopLatch, AResetInVainIsEchoedWithTheReason) {
   StopLatch latch("JOINT_STATE");
   EXPECT_EQ(latch.hear(request(true, 1), kNow, "two write JOINT_COMMAND"), StopHeard::kRefused);
@@ -88,7 +121,7 @@ TEST(StopLatch, AResetInVainIsEchoedWithTheReason) {
 TEST(StopLatch, TheMoverItselfLatches) {
   StopLatch latch("JOINT_STATE");
   latch.hear(request(true, 1), kNow);
-  latch.latch("two write JOINT_COMMAND");
+  latch.latch("two write JOINT_COMMAND", kNow);
   EXPECT_TRUE(latch.latched());
   EXPECT_EQ(latch.id(), 1) << "the last request it obeyed";
 }

@@ -138,5 +138,12 @@ TEST_F(Goals, AnotherBeginningEndsAGoalOfTheFormerTime) {
   EXPECT_EQ(hear(5, 2, -3599.8), GoalHeard::kNew);
 }
 
+TEST_F(Goals, OneOfAnotherTimeKeepsNoFloorOnceTheTimeIsKnown) {
+  EXPECT_EQ(inbox_.hear({6, 1, us(3600.0)}, 0, kAge, false), GoalHeard::kNew);
+  EXPECT_EQ(inbox_.hear({5, 1, us(0.0)}, 0, kAge, false), GoalHeard::kSecond);
+  EXPECT_TRUE(inbox_.end_unless_fresh(us(0.1), kAge));
+  EXPECT_EQ(hear(5, 1, 0.2), GoalHeard::kNew) << "what was ignored for it is ignored no longer";
+}
+
 }  // namespace
 }  // namespace markservo::motion

@@ -58,6 +58,15 @@ TEST_F(Writers, AReplacedOneThatLivesMakesTwo) {
   EXPECT_EQ(other_.speak(writer_, 0.7), Heard::kSecond);
 }
 
+TEST_F(Writers, TwoThatTakeTurnsWithPausesAreTwo) {
+  one_.speak(writer_, 0.0);
+  EXPECT_EQ(other_.speak(writer_, 0.4), Heard::kAnew) << "as after a restart";
+  EXPECT_EQ(one_.speak(writer_, 0.8), Heard::kSecond);
+  EXPECT_EQ(other_.speak(writer_, 1.2), Heard::kSecond);
+  EXPECT_FALSE(writer_.alone(now_at(1.3)));
+  EXPECT_EQ(other_.speak(writer_, 2.3), Heard::kAnew) << "alone again";
+}
+
 TEST_F(Writers, WhatWasUnderWayWhenAnotherTookOverIsNoSecondWord) {
   one_.speak(writer_, 0.0);
   other_.speak(writer_, 0.1);

@@ -104,5 +104,15 @@ TEST(Command, AbortWithoutATaskChangesNothing) {
   EXPECT_EQ(robot.last().command_id, 1);
 }
 
+TEST(Command, AbortEndsATaskThoughItsSenderCountsBadly) {
+  FakeRobot robot;
+  robot.send(CommandKind::kStart, "red_book");
+  ASSERT_TRUE(robot.run_until(Phase::kServo));
+  robot.send_again(CommandKind::kAbort);
+  robot.frame();
+  EXPECT_EQ(robot.last().phase, Phase::kStopped);
+  EXPECT_EQ(robot.last().reason, "aborted by operator");
+}
+
 }  // namespace
 }  // namespace markservo::task_manager

@@ -374,23 +374,5 @@ TEST(BaseReports, ForgetAnotherWorld) {
   EXPECT_EQ(reports.before(10'000)->utime, 100);
 }
 
-TEST(Drive, APauseOfTheProcedureItselfIsHeldAgainstNobody) {
-  constexpr double kPause = 150.0;  // s, more than any timeout
-  FakeRobot robot = robot_before_the_dock();
-  robot.send_drive(kDock);
-  ASSERT_TRUE(robot.run_until(Phase::kDrive, 1.0));
-  robot.run_for(2.0);
-  robot.blind_for(kPause);
-  ASSERT_TRUE(robot.run_until(Phase::kHoldLifted)) << name_of(robot.last().phase) << ": " << robot.last().reason;
-  for (const Phase phase : {Phase::kApproach, Phase::kServo, Phase::kLift}) {
-    FakeRobot other;
-    other.run_for(0.5);
-    other.send(CommandKind::kStart, "red_book");
-    ASSERT_TRUE(other.run_until(phase));
-    other.blind_for(kPause);
-    ASSERT_TRUE(other.run_until(Phase::kHoldLifted)) << name_of(phase) << ": " << other.last().reason;
-  }
-}
-
 }  // namespace
 }  // namespace markservo::task_manager

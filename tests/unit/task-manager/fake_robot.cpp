@@ -10,7 +10,6 @@
 namespace markservo::task_manager {
 namespace {
 
-constexpr std::int64_t kFrame_us = 33'333;
 constexpr double kJointStep = 0.05;    // rad a frame
 constexpr double kServoStep = 0.004;   // m a frame
 constexpr double kFingerStep = 0.002;  // m a frame
@@ -44,6 +43,11 @@ void FakeRobot::send(CommandKind kind, const std::string& target, bool carry) {
 void FakeRobot::send_drive(const geometry::PlanePose& pose, const std::string& target) {
   send(CommandKind::kStart, target);
   commands_.back().drive_pose = command_.drive_pose = pose;
+}
+
+void FakeRobot::send_again(CommandKind kind) {
+  command_.kind = kind;
+  send_again();
 }
 
 void FakeRobot::send_again() {
@@ -103,7 +107,7 @@ std::optional<BaseReport> FakeRobot::base_report() const {
   if (!robot_.base) return std::nullopt;
   if (!base_answers) return base_said_;
   BaseReport report;
-  report.utime = utime_ - kFrame_us / 2;
+  report.utime = utime_ - period_us / 2;
   report.goal_id = drive_goal_.id;
   if (frames_of_old_goals_ > 0) {
     report.state = BaseState::kStale;
@@ -167,7 +171,7 @@ void FakeRobot::look_for_trespass() {
 }
 
 Output FakeRobot::frame() {
-  utime_ += kFrame_us;
+  utime_ += period_us;
   if (robot_.arm) {
     move_base();
     move_arm();

@@ -42,7 +42,8 @@ class FakeRobot {
   // START with a drive.
   void send_drive(const geometry::PlanePose& pose, const std::string& target = "red_book");
   void send(CommandKind kind, const std::string& target = "", bool carry = false);
-  void send_again();  // the last command, repeated
+  void send_again();                  // the last command, repeated
+  void send_again(CommandKind kind);  // another one under the last one's id
 
   // One frame.
   Output frame();
@@ -71,6 +72,7 @@ class FakeRobot {
   double way_of_base() const { return way_of_base_; }  // m, all that it ever drove
   // What a base may not do: "" or how the arm stood while it drove, or in which phase.
   const std::string& reckless() const { return reckless_; }
+  std::int64_t period_us = 33'333;  // of frames
   // So long no frame comes, and the robot stands: its goals have aged, which its first reports then tell.
   void blind_for(double seconds);
   double seconds() const { return 1e-6 * static_cast<double>(utime_); }

@@ -184,6 +184,31 @@ TEST(Restart, ComesUpIdleAndHoldsTheArmWhereItIs) {
   EXPECT_EQ(robot.way_of_joints(), way);
 }
 
+TEST(Restart, TellsTheArmNothingBeforeItsDeviceIsKnown) {
+  FakeRobot robot;
+  robot.stop = {false, false, ""};
+  robot.run_for(1.0);
+  EXPECT_EQ(robot.goals_sent(), 0) << "whose report it is may be anyone's";
+  robot.stop = {true, false, ""};
+  robot.run_for(0.1);
+  EXPECT_GT(robot.goals_sent(), 0);
+}
+
+TEST(Restart, AHoldThatNobodyAnswersIsSentAnew) {
+  FakeRobot robot;
+  robot.follows_goals = false;  // a former run of ours had the floor
+  robot.run_for(0.9);
+  const std::int64_t ignored = robot.goal().id;
+  robot.run_for(1.0);
+  EXPECT_GT(robot.goal().id, ignored);
+  EXPECT_EQ(robot.goal().kind, GoalKind::kHold);
+  robot.follows_goals = true;
+  robot.run_for(0.1);
+  const std::int64_t followed = robot.goal().id;
+  robot.run_for(3.0);
+  EXPECT_EQ(robot.goal().id, followed);
+}
+
 TEST(Restart, AHandThatMayHoldSomethingStaysClosed) {
   FakeRobot robot;
   robot.send(CommandKind::kStart, "red_book");

@@ -74,6 +74,20 @@ TEST_F(GripperStop, WhatWasPressedOnIsNotDropped) {
   EXPECT_NEAR(output.command->gripper_force, 10.0, kSame);
 }
 
+TEST_F(GripperStop, AGoalThatIsNotRepeatedClosesItNoFurther) {
+  frames(20);
+  Goal goal = posture_goal(start_, 1);
+  goal.gripper_opening = 0.0;
+  goal.utime -= 450'000;  // 0.15 s before it is too old
+  sender_lives_ = false;
+  machine_.observe(goal, state_);
+  frames(10);
+  const double opening = arm_.opening;
+  EXPECT_GT(opening, 0.02);
+  frames(30);
+  EXPECT_NEAR(arm_.opening, opening, kSame);
+}
+
 TEST_F(GripperStop, ACloseThatHasJustBeenToldIsNoPress) {
   frames(20);
   tell_gripper(0.01, 1);

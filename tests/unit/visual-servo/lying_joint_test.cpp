@@ -57,5 +57,19 @@ TEST_P(OnePictureWithAWrongHand, MovesTheHandByNoMoreThanItsNoise) {
 
 INSTANTIATE_TEST_SUITE_P(AtEachStage, OnePictureWithAWrongHand, testing::Range(1, 20));
 
+using LyingJoints = Rig;
+
+TEST_F(LyingJoints, AConstantLieDoesNotWalkAnArmThatHolds) {
+  Goal hold = posture_goal(start_);
+  hold.kind = GoalKind::kHold;
+  machine_.observe(hold, state_);
+  frames(10);
+  const Eigen::Vector3d before = arm_.grip_point();
+  joints_off_ = {0.06, 0.0, 0.0};
+  const Output output = frames(300);
+  EXPECT_LT((arm_.grip_point() - before).norm(), 0.02) << "once by the lie, 0.06 rad";
+  EXPECT_EQ(output.status.reason, "the arm does not rest where it is told to");
+}
+
 }  // namespace
 }  // namespace markservo::visual_servo::test

@@ -62,6 +62,7 @@ class Rig : public testing::Test {
       if (mark.name == "hand") mark.p_C += hand_off_;
     }
     for (JointSample sample : arm_.take_joint_states()) {
+      sample.position += joints_off_;
       if (frozen_joint_ >= 0) sample.position[frozen_joint_] = frozen_at_;
       machine_.observe(sample, state_);
     }
@@ -98,6 +99,7 @@ class Rig : public testing::Test {
   PoseSample last_pose_;
   int frozen_joint_ = -1;  // its sensor lies: JOINT_STATE tells frozen_at_ (rad) of it; -1: none
   double frozen_at_ = 0.0;
+  JointVector joints_off_ = JointVector::Zero();        // rad: JOINT_STATE tells so much more than is so
   Eigen::Vector3d hand_off_ = Eigen::Vector3d::Zero();  // m: the hand's mark is seen so far from where it is
   bool sender_lives_ = true;                            // the goal is repeated with every frame
 };
