@@ -1,11 +1,12 @@
 # The three kinds of target in this project; each adds the compiler's strict settings.
 
-# markservo_library(name SOURCES a.cpp ... LINK lib ...): a static library.
+# markservo_library(name SOURCES a.cpp ... LINK lib ... LINK_PRIVATE lib ...): a static library. LINK: what its headers
+# need as well.
 function(markservo_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;LINK_PRIVATE")
   add_library(${name} STATIC ${arg_SOURCES})
-  target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE markservo_options)
-  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_LINK_PRIVATE} $<BUILD_INTERFACE:markservo_options>)
+  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 endfunction()
 
 # markservo_executable(name SOURCES main.cpp ... LINK lib ...): an executable in <build>/bin.

@@ -5,12 +5,24 @@
 
 #include <lcm/lcm_coretypes.h>
 
+#include <cinttypes>
 #include <cstdint>
+#include <cstdio>
 #include <exception>
 #include <limits>
 #include <string>
 
 namespace markservo::bus {
+
+// Why a message whose type says `theirs` of itself is none of `type`, whose fingerprint is `ours`. A fingerprint does
+// not say whether it is another version of the type or another type.
+inline std::string other_version_text(const char* type, std::int64_t theirs, std::int64_t ours) {
+  char fingerprints[64];
+  std::snprintf(fingerprints, sizeof fingerprints, "0x%016" PRIx64 ", here it is 0x%016" PRIx64,
+                static_cast<std::uint64_t>(theirs), static_cast<std::uint64_t>(ours));
+  return std::string("message is of another version of ") + type + " or of another type: its fingerprint is " +
+         fingerprints;
+}
 
 // Decodes `data` into `message`, which may have held another: its memory is used again. Returns why not, and then
 // `message` holds anything; an empty text if all is well.
@@ -21,7 +33,7 @@ std::string decode_into(M& message, const void* data, std::size_t size) {
   if (size > static_cast<std::size_t>(std::numeric_limits<int>::max())) return "message is larger than 2 GiB";
   int64_t fingerprint = 0;
   __int64_t_decode_array(data, 0, static_cast<int>(kHashSize), &fingerprint, 1);
-  if (fingerprint != M::getHash()) return std::string("message is of another type than ") + M::getTypeName();
+  if (fingerprint != M::getHash()) return other_version_text(M::getTypeName(), fingerprint, M::getHash());
   try {
     const int used = message.decode(data, 0, static_cast<int>(size));
     if (used < 0) return std::string(M::getTypeName()) + " is truncated or has an impossible length";

@@ -38,7 +38,9 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
       ->configurable(false);
   app.add_flag("--list-channels", options.list_channels, "Print the channels that it reads and writes, and exit")
       ->configurable(false);
-  app.add_option("--robot-file", options.robot_file, "The robot's description")->capture_default_str();
+  app.add_option("--robot-file", options.robot_file, "The robot's description")
+      ->envname("MARKSERVO_ROBOT_FILE")
+      ->capture_default_str();
   app.add_option("--robot", options.robot, "Prefix of all channels, for several robots on one bus");
   app.add_option("--lcm-url", options.lcm_url, "LCM bus to read and write")
       ->envname("MARKSERVO_LCM_URL")

@@ -50,6 +50,7 @@ void Census::hear(const Heard& message) {
   tally.last_us = message.utime;
   tally.hash = message.hash;
   tally.type = message.type;
+  if (message.other_version) note_other_version(&tally, message);
   if (!message.session) return;
   note_writer(&tally, *message.session);
   // Of a type without seq only the sessions count.
@@ -66,6 +67,17 @@ void Census::note_writer(ChannelTally* tally, int64_t session) {
   if (!has_room(tally->writers.size(), kMaxWritersOfOne, known) || !has_room(writers_, kMaxWriters, known)) return;
   tally->writers[session] = 1;
   ++writers_;
+}
+
+void Census::note_other_version(ChannelTally* tally, const Heard& message) {
+  const OtherVersion& version = *message.other_version;
+  for (OtherWriterReport& writer : tally->other_versions) {
+    if (writer.hash != message.hash || writer.session != version.session) continue;
+    ++writer.events;
+    return;
+  }
+  if (tally->other_versions.size() >= kMaxOtherVersions) return;
+  tally->other_versions.push_back({version.type, version.our_hash, message.hash, version.session, std::string(), 1});
 }
 
 void Census::know(const KnownProcesses& known) {
@@ -120,6 +132,10 @@ Report Census::report(int64_t utime) const {
   Report report;
   report.listened_s = kSeconds * static_cast<double>(utime - begin_us_);
   const auto owner_of = owners();
+  const auto name_of = [&owner_of](int64_t session) {
+    const auto owner = owner_of.find(session);
+    return owner == owner_of.end() ? std::string() : owner->second->newest.name;
+  };
   std::map<int64_t, std::vector<std::string>> written;
   for (const auto& [channel, tally] : channels_) {
     ChannelReport line;
@@ -135,10 +151,11 @@ Report Census::report(int64_t utime) const {
       line.two_writers = tally.sequence.second_writer();
     }
     for (const auto& [session, events] : tally.writers) {
-      const auto owner = owner_of.find(session);
-      line.writers.push_back({session, owner == owner_of.end() ? std::string() : owner->second->newest.name, events});
+      line.writers.push_back({session, name_of(session), events});
       if (last_part(channel) != channels::kServiceStatus.name) written[session].push_back(channel);
     }
+    line.other_versions = tally.other_versions;
+    for (OtherWriterReport& writer : line.other_versions) writer.service = name_of(writer.session);
     report.channels.push_back(std::move(line));
   }
   for (const auto& [process, tally] : services_) {

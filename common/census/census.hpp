@@ -16,6 +16,13 @@
 
 namespace markservo::census {
 
+// A message on a channel of ours whose type this build does not know: another version of the channel's own.
+struct OtherVersion {
+  std::string type;      // ours
+  int64_t our_hash = 0;  // its fingerprint here
+  int64_t session = 0;   // of the writer, which stands in every version (lcmtypes/README.md); 0: not told
+};
+
 // One message as it came off the bus.
 struct Heard {
   std::string channel;
@@ -25,6 +32,7 @@ struct Heard {
   int64_t utime = 0;               // us, this host's wall clock when it came
   std::optional<int64_t> session;  // of the writer; nothing when the type has none or the message cannot be decoded
   std::optional<int64_t> seq;
+  std::optional<OtherVersion> other_version;
 };
 
 // What a service says of one channel that it reads; ChannelStatus.lcm defines each figure.
@@ -84,6 +92,16 @@ struct WriterReport {
   int64_t events = 0;
 };
 
+// Who writes another version of the channel's type.
+struct OtherWriterReport {
+  std::string type;  // ours
+  int64_t our_hash = 0;
+  int64_t hash = 0;  // theirs
+  int64_t session = 0;
+  std::string service;  // its name; empty when no SERVICE_STATUS of that session was heard
+  int64_t events = 0;
+};
+
 struct ChannelReport {
   std::string channel;
   std::string type;
@@ -95,6 +113,7 @@ struct ChannelReport {
   bool several_types = false;
   bool two_writers = false;  // two sessions write in turn where only one may
   std::vector<WriterReport> writers;
+  std::vector<OtherWriterReport> other_versions;
 };
 
 struct Report {
@@ -134,6 +153,7 @@ class Census {
   static constexpr std::size_t kMaxChannelWords = 16384;
   static constexpr std::size_t kMaxWriters = 16384;
   static constexpr std::size_t kMaxWritersOfOne = 64;  // of one channel
+  static constexpr std::size_t kMaxOtherVersions = 8;  // told of, of one channel
   // So much more where one that is known speaks or writes.
   static constexpr std::size_t kShareOfKnown = 4;  // a quarter
 
@@ -151,6 +171,7 @@ class Census {
     bool several_types = false;
     std::string type;
     std::map<int64_t, int64_t> writers;  // events by session
+    std::vector<OtherWriterReport> other_versions;
     bus::SequenceMonitor sequence;
   };
   struct ServiceTally {
@@ -166,6 +187,7 @@ class Census {
   // The process that each session belongs to.
   std::map<int64_t, const ServiceTally*> owners() const;
   void note_writer(ChannelTally* tally, int64_t session);
+  static void note_other_version(ChannelTally* tally, const Heard& message);
 
   int64_t begin_us_;
   std::map<std::string, ChannelTally> channels_;

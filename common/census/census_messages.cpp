@@ -2,8 +2,10 @@
 
 #include <lcm/lcm_coretypes.h>
 
+#include <limits>
 #include <markservo/channels.hpp>
 
+#include "common/bus/health.hpp"
 #include "common/bus/safe_decode.hpp"
 #include "common/messages/message_rules.hpp"
 #include "common/reflection/message_value.hpp"
@@ -13,6 +15,17 @@ namespace markservo::census {
 namespace {
 
 constexpr std::size_t kNumber = 8;  // bytes of a fingerprint and of an int64
+
+// The part of a channel's name after any prefix.
+std::string own_name(const std::string& channel) {
+  return channel.substr(channel.rfind('/') + 1);
+}
+
+// The type that the channel carries by our table; null: it is none of ours.
+const reflection::MessageType* type_of_channel(const std::string& channel) {
+  const channels::Entry* entry = channels::find(own_name(channel));
+  return entry == nullptr ? nullptr : reflection::TypeCatalog::ours().find(std::string(entry->type));
+}
 
 // The int64 fields that a message begins with: utime, session, seq in every stream.
 void read_writer(const reflection::MessageType& type, const void* data, std::size_t size, Heard* heard) {
@@ -27,6 +40,50 @@ void read_writer(const reflection::MessageType& type, const void* data, std::siz
   }
 }
 
+bool is_of_unknown_type(const void* data, std::size_t size) {
+  std::uint64_t fingerprint = 0;
+  return reflection::read_fingerprint(data, size, &fingerprint) &&
+         reflection::TypeCatalog::ours().find(fingerprint) == nullptr;
+}
+
+// A string as LCM writes it at `*at`, which moves on: its length with the zero that ends it, then the bytes. False
+// where there is none.
+bool read_text(const char* data, std::size_t size, std::size_t* at, std::string* text) {
+  constexpr std::size_t kLength = 4;  // bytes
+  int32_t length = 0;
+  if (*at + kLength > size) return false;
+  __int32_t_decode_array(data, static_cast<int>(*at), static_cast<int>(size - *at), &length, 1);
+  *at += kLength;
+  if (length < 1 || static_cast<std::size_t>(length) > size - *at) return false;
+  text->assign(data + *at, static_cast<std::size_t>(length) - 1);
+  *at += static_cast<std::size_t>(length);
+  return true;
+}
+
+// Who speaks in a SERVICE_STATUS of another version: its fields up to `version` stand first in every one
+// (lcmtypes/README.md). Nothing where they make no sense.
+std::optional<ServiceWord> head_in(const std::string& channel, const void* bytes, std::size_t size) {
+  const char* data = static_cast<const char*>(bytes);
+  constexpr std::size_t kNumbers = 4;
+  int64_t numbers[kNumbers] = {};  // fingerprint, utime, session, seq
+  if (size < sizeof numbers || size > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
+  __int64_t_decode_array(data, 0, static_cast<int>(size), numbers, kNumbers);
+  std::size_t at = sizeof numbers;
+  ServiceStatus head{};
+  if (!read_text(data, size, &at, &head.name) || !read_text(data, size, &at, &head.host)) return std::nullopt;
+  if (at + sizeof head.pid > size) return std::nullopt;
+  __int32_t_decode_array(data, static_cast<int>(at), static_cast<int>(size - at), &head.pid, 1);
+  at += sizeof head.pid;
+  if (!read_text(data, size, &at, &head.version)) return std::nullopt;
+  head.utime = numbers[1];
+  head.session = numbers[2];
+  head.seq = numbers[3];
+  head.state = bus::kWaiting;
+  head.reason = bus::other_version_text(ServiceStatus::getTypeName(), numbers[0], ServiceStatus::getHash());
+  if (!messages::broken_rule(head).empty()) return std::nullopt;
+  return word_of(head, channel);
+}
+
 }  // namespace
 
 Heard heard_of(const std::string& channel, const void* data, std::size_t size, std::size_t whole_size, int64_t utime) {
@@ -38,14 +95,20 @@ Heard heard_of(const std::string& channel, const void* data, std::size_t size, s
   if (!reflection::read_fingerprint(data, size, &fingerprint)) return heard;
   heard.hash = static_cast<int64_t>(fingerprint);
   const reflection::MessageType* type = reflection::TypeCatalog::ours().find(fingerprint);
-  if (type == nullptr) return heard;
-  heard.type = type->name;
-  read_writer(*type, data, size, &heard);
+  if (type != nullptr) {
+    heard.type = type->name;
+    read_writer(*type, data, size, &heard);
+  } else if (const reflection::MessageType* ours = type_of_channel(channel)) {
+    Heard head;
+    read_writer(*ours, data, size, &head);
+    heard.other_version = OtherVersion{ours->name, static_cast<int64_t>(ours->fingerprint), head.session.value_or(0)};
+  }
   return heard;
 }
 
 std::optional<ServiceWord> word_in(const std::string& channel, const void* data, std::size_t size) {
-  if (channel.substr(channel.rfind('/') + 1) != channels::kServiceStatus.name) return std::nullopt;
+  if (own_name(channel) != channels::kServiceStatus.name) return std::nullopt;
+  if (is_of_unknown_type(data, size)) return head_in(channel, data, size);
   const auto decoded = bus::safe_decode<ServiceStatus>(data, size);
   if (!decoded.ok || !messages::broken_rule(decoded.message).empty()) return std::nullopt;
   return word_of(decoded.message, channel);

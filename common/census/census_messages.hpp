@@ -16,7 +16,7 @@ namespace markservo::census {
 Heard heard_of(const std::string& channel, const void* data, std::size_t size, std::size_t whole_size, int64_t utime);
 
 // The SERVICE_STATUS in these bytes; nothing where they came on another channel, are none, are broken or break a rule
-// of their type.
+// of their type. Of one of another version who speaks is told, as waiting, with the reason.
 std::optional<ServiceWord> word_in(const std::string& channel, const void* data, std::size_t size);
 
 // What `status` says, as it came on `channel`.

@@ -58,10 +58,19 @@ Json json_of(const ChannelReport& channel) {
                {"lost", channel.lost},
                {"several_types", channel.several_types},
                {"two_writers", channel.two_writers},
-               {"writers", Json::array()}};
+               {"writers", Json::array()},
+               {"other_versions", Json::array()}};
   for (const WriterReport& writer : channel.writers) {
     json["writers"].push_back(
         {{"session", hex(writer.session)}, {"service", text_or_null(writer.service)}, {"events", writer.events}});
+  }
+  for (const OtherWriterReport& writer : channel.other_versions) {
+    json["other_versions"].push_back({{"type", writer.type},
+                                      {"our_hash", hex(writer.our_hash)},
+                                      {"hash", hex(writer.hash)},
+                                      {"session", hex(writer.session)},
+                                      {"service", text_or_null(writer.service)},
+                                      {"events", writer.events}});
   }
   return json;
 }
@@ -133,6 +142,10 @@ Row row_of(const ChannelReport& channel) {
   }
   if (channel.two_writers) writers += "; TWO WRITE AT THE SAME TIME";
   if (channel.several_types) writers += "; SEVERAL TYPES";
+  for (const OtherWriterReport& writer : channel.other_versions) {
+    writers += "; " + (writer.service.empty() ? hex(writer.session) : writer.service) + " WRITES ANOTHER VERSION OF " +
+               writer.type + ": " + hex(writer.hash) + ", here " + hex(writer.our_hash);
+  }
   return {reflection::printable(channel.channel),
           channel.type.empty() ? "unknown " + hex(channel.hash) : channel.type,
           number(channel.hz),

@@ -40,7 +40,7 @@ check_route() {
   local group route device mend='ip link set lo multicast on; ip route add 224.0.0.0/4 dev lo'
   group=$(sed -E 's,^udpm://([0-9.]+):.*,\1,' <<<"$lcm_url")
   if ! command -v ip >/dev/null; then
-    wrong bus "the program ip is not there to ask for routes" "scripts/install"
+    wrong bus "the program ip is not there to ask for routes" "$(get_packages iproute2)"
   elif ! route=$(ip -4 route get "$group" 2>&1); then
     wrong bus "no multicast route to $group ($(head -n 1 <<<"$route"))" "$mend"
   else
@@ -61,7 +61,7 @@ check_listener() {
   if [[ -s $heard_file ]]; then return; fi
   if [[ -z $listener ]]; then
     wrong bus "nobody was listened to: $build_dir/bin/bus-census is not there, or the address is none" \
-      "scripts/build release --target bus-census"
+      "$get_programs"
   else
     wrong bus "cannot be joined (exit code $listener_status): $(head -n 1 "$heard_file.errors")" \
       "mend what is said of the bus above"
@@ -156,13 +156,21 @@ check_device() {
 }
 
 check_devices() {
-  local device named cameras
+  local device named cameras own_config=$config_dir calibration=stereo.yml copy=''
   mapfile -t named < <(named_devices)
   for device in "${named[@]}" "${devices[@]}"; do check_device "$device"; done
   if [[ $profile == robot ]] && ! grep -qsE '^[[:space:]]*(left-device|device|left|input)[[:space:]]*=' "$config_dir/stereo-camera.conf"; then
     cameras=$(find /dev -maxdepth 1 -name 'video*' | sort | xargs)
+    if [[ $installed == yes ]]; then
+      # What the package brought is not to be changed: a copy of it is.
+      if [[ $config_dir == "$repository/config" ]]; then
+        own_config=$user_config_dir
+        copy="mkdir -p ${own_config@Q}; cp -r ${config_dir@Q}/. ${own_config@Q}; "
+      fi
+      calibration=$own_config/stereo.yml
+    fi
     wrong devices "no camera is named (config/stereo-camera.conf); there: ${cameras:-none}" \
-      "printf 'left-device=/dev/video0\\nright-device=/dev/video2\\ncalibration=stereo.yml\\n' >${config_dir@Q}/stereo-camera.conf"
+      "${copy}printf 'left-device=/dev/video0\\nright-device=/dev/video2\\ncalibration=$calibration\\n' >${own_config@Q}/stereo-camera.conf"
   elif ((${#named[@]} + ${#devices[@]} == 0)); then
     well devices "the settings name none"
   fi

@@ -6,7 +6,8 @@ check_packages() {
   local missing
   missing=$(missing_packages | paste -sd ' ')
   if [[ -n $missing ]]; then
-    wrong programs "missing packages: $missing" "scripts/install"
+    # shellcheck disable=SC2086 # a word each
+    wrong programs "missing packages: $missing" "$(get_packages $missing)"
   else
     well programs "all packages are installed"
   fi
@@ -18,9 +19,11 @@ check_executables() {
     if [[ -x $build_dir/bin/$service ]]; then targets+=("bin/$service"); else missing+=("$service"); fi
   done
   if ((${#missing[@]} > 0)); then
-    wrong programs "not built: ${missing[*]} (in $build_dir/bin)" "scripts/build release"
+    wrong programs "not built: ${missing[*]} (in $build_dir/bin)" "$get_programs"
   fi
-  if [[ ! -f $build_dir/build.ninja ]] || ! command -v ninja >/dev/null; then
+  if [[ $installed == yes && $build_dir == "$default_build_dir" ]]; then
+    if ((${#missing[@]} == 0)); then well programs "executables are installed"; fi
+  elif [[ ! -f $build_dir/build.ninja ]] || ! command -v ninja >/dev/null; then
     well programs "executables are there; nothing tells whether they are newer than their sources"
   elif ((${#targets[@]} > 0)); then
     # ninja knows what each was made from; it builds nothing here. By its relative name it would first plan to make
@@ -30,7 +33,7 @@ check_executables() {
       well programs "executables are newer than their sources"
     else
       wrong programs "executables are older than their sources ($(grep -c '^\[' <<<"$plan") steps to build)" \
-        "scripts/build release"
+        "$get_programs"
     fi
   fi
 }
@@ -71,7 +74,7 @@ check_configuration() {
   for file in "$config_dir"/*.conf; do
     service=$(basename -- "$file" .conf)
     # supervisord.conf is scripts/stack's template.
-    if [[ ! -e $file || $service == supervisord || -d $repository/services/$service ]]; then continue; fi
+    if [[ ! -e $file || $service == supervisord || -d $repository/services/$service || -x $build_dir/bin/$service ]]; then continue; fi
     wrong configuration "$file: no service is called $service, so nobody reads it" "rename it to SERVICE.conf, or: rm ${file@Q}"
   done
   if ((faults == wrong_before)); then well configuration "$robot_file and the services' settings are valid"; fi
@@ -83,7 +86,7 @@ check_versions() {
     "\(.name) on \(.host) is \(.version)"] | unique | join(", ")' "$heard_file")
   if [[ -n $different ]]; then
     wrong programs "we are version $(jq -r .version "$heard_file"), but $different" \
-      "on that host: git pull && scripts/build release && scripts/stack restart"
+      "on that host: $get_this_version"
   else
     well programs "version $(jq -r .version "$heard_file"), as all on the bus"
   fi
@@ -91,7 +94,10 @@ check_versions() {
 
 check_others() {
   local line mend findings_of_others wrong_before=$faults
-  findings_of_others=$(jq -r '
+  findings_of_others=$(jq -r --arg get_this_version "$get_this_version" '
+    # Who it is, as far as the bus tells.
+    def who($services; $session): first($services[] | select(.session == $session) |
+      "\(.name) (version \(.version)) on \(.host)") // "one that does not say its name (session \($session))";
     ([.services[] | select(.duplicate)] | group_by([.robot, .name])[]
       | ["\(length) processes are \(.[0].name): " + (map("\(.pid) on \(.host)") | join(", ")),
          "end all but one: " + (map("kill \(.pid) (on \(.host))") | join(" or "))]),
@@ -104,9 +110,15 @@ check_others() {
          if ($known | length) > 0
          then "end all but one: " + ([$known[] | "kill \(.pid) (\(.name) on \(.host))"] | join(" or "))
          else "build/release/bin/bus-census (and end what is no service of ours)" end]),
-    (.channels[] | select(.several_types)
+    (.services as $services | .channels[] | .channel as $channel | .other_versions[]?
+      | [$services[] | select(any(.channels[]?; .channel == $channel and .decode_failures > 0)).session] as $readers
+      | ["\(who($services; .session)) writes \($channel) as another version of \(.type), \(.hash), than " +
+          (if $readers == [] then "ours" else [$readers[] | who($services; .)] | join(", ") + " can read" end) +
+          ", \(.our_hash)",
+         "the same version on each host: \($get_this_version)"]),
+    (.channels[] | select(.several_types and (.other_versions // []) == [])
       | ["\(.channel) carries several types: its writers are of different versions",
-         "on each host: git pull && scripts/build release && scripts/stack restart"])
+         "on each host: \($get_this_version)"])
     | @tsv' "$heard_file")
   while IFS=$'\t' read -r line mend; do
     if [[ -n $line ]]; then wrong others "$line" "$mend"; fi

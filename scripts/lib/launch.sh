@@ -24,8 +24,8 @@ keep_options() {
 # none, by default.
 stack_options() {
   local -n __options=$1
-  __options=([build_dir]=$repository/build/release [config_dir]=$repository/config
-    [robot_file]=$repository/config/robot.yaml [robot]='' [lcm_url]=${MARKSERVO_LCM_URL-} [profile]=sim)
+  __options=([build_dir]=$default_build_dir [config_dir]=$default_config_dir
+    [robot_file]=$default_config_dir/robot.yaml [robot]='' [lcm_url]=${MARKSERVO_LCM_URL-} [profile]=sim)
   load_options "$runtime_dir/options/stack" "$1"
 }
 
@@ -55,12 +55,12 @@ merged_arguments() {
 
 # check_executable FOLDER SERVICE
 check_executable() {
-  [[ -x $1/bin/$2 ]] || fail "$1/bin/$2 does not exist: scripts/build builds the services"
+  [[ -x $1/bin/$2 ]] || fail "$1/bin/$2 does not exist: run $get_programs"
 }
 
 # plan_launch SERVICE: writes how the next start of SERVICE shall run it.
 plan_launch() {
-  local service=$1 key words arguments=()
+  local service=$1 key words scene arguments=()
   local -A options=()
   stack_options options
   load_options "$runtime_dir/options/$service" options
@@ -75,6 +75,12 @@ plan_launch() {
   [[ -f ${options[robot_file]} ]] || fail_with 2 "--robot-file ${options[robot_file]}: no such file"
   if [[ -f ${options[config_dir]}/$service.conf ]]; then arguments+=(--config "${options[config_dir]}/$service.conf"); fi
   arguments+=(--robot-file "${options[robot_file]}")
+  # A scene belongs to the settings beside it; the project's own is the simulator's default.
+  scene=${options[config_dir]}/scenes/shelf.yaml
+  if [[ $service == simulator && -f $scene && ${options[config_dir]} != "$repository/config" ]] &&
+    ! grep -qE '^--scene(=|$)' <<<"${options[args]-}"; then
+    arguments+=(--scene "$scene")
+  fi
   if [[ -n ${options[robot]} ]]; then arguments+=(--robot "${options[robot]}"); fi
   if [[ -n ${options[lcm_url]} ]]; then arguments+=(--lcm-url "${options[lcm_url]}"); fi
   if [[ -n ${options[args]-} ]]; then mapfile -t -O ${#arguments[@]} arguments <<<"${options[args]}"; fi

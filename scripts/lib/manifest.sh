@@ -1,16 +1,17 @@
 # shellcheck shell=bash disable=SC2154 # variables of the sourcing script
 # manifest.json: what a recording is, how it was made and how it ended. To be sourced after recording.sh.
 
-log_tool=$repository/build/release/bin/log-tool
+log_tool=$programs/log-tool
 
 # instant SECONDS.MICROSECONDS: {"utc", "utime"}.
 instant() {
   jq -cn --arg utc "$(date -u -d "@${1%.*}" +%Y-%m-%dT%H:%M:%SZ)" --argjson utime "${1/./}" '{$utc, $utime}'
 }
 
-# source_version: the commit, and whether files differ from it; null in a copy without git.
+# source_version: the commit, and whether files differ from it; null in a copy without git, and where it is installed.
 source_version() {
   local commit dirty=false
+  if [[ $installed == yes ]]; then echo null; return; fi
   commit=$(git -C "$repository" rev-parse HEAD 2>/dev/null) || { echo null; return; }
   if [[ -n $(git -C "$repository" status --porcelain 2>/dev/null) ]]; then dirty=true; fi
   jq -cn --arg commit "$commit" --argjson dirty "$dirty" '{$commit, $dirty}'
@@ -21,11 +22,12 @@ message_types() { "$log_tool" types --json 2>/dev/null || echo null; }
 
 # configuration FOLDER ROBOT_FILE: the text and hash of each file, and one hash over all.
 configuration() {
-  local files=() file path all
+  local files=() file path all folder
+  folder=$(realpath -- "$1")
   mapfile -t files < <({ find "$1" -type f -size -1024k; printf '%s\n' "$2"; } | xargs -d '\n' realpath -- | sort -u)
   all=$(for file in "${files[@]}"; do
     # Only a path inside the project can be written back by whoever has the recording.
-    path=${file#"$repository"/}
+    if [[ $file == "$folder"/* ]]; then path=config/${file#"$folder"/}; else path=${file#"$repository"/}; fi
     if [[ $path == /* ]]; then path=outside/${path##*/}; fi
     jq -cn --arg path "$path" --arg sha256 "$(sha256sum -- "$file" | cut -c1-64)" --rawfile text "$file" \
       '{$path, $sha256, $text}'

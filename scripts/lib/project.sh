@@ -6,6 +6,29 @@
 repository=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
 script_name=${0##*/}
 
+# Where things are: programs in $programs, and in bin of what --build-dir names; settings; recordings and logs. And how
+# to get what is missing. An installed tree, which has no sources, says otherwise (installed.sh, which CMake writes).
+# shellcheck disable=SC2034 # as above
+{
+  installed=no
+  default_build_dir=$repository/build/release
+  default_config_dir=$repository/config
+  logs_dir=$repository/logs
+  get_programs='scripts/build release'
+  get_this_version='git pull && scripts/build release && scripts/stack restart'
+}
+# get_packages NAME...: the command that installs these.
+get_packages() { printf 'scripts/install\n'; }
+# as_called_here TEXT: the text, with the names of commands and folders as they are here.
+as_called_here() { printf '%s\n' "$1"; }
+if [[ -f $repository/scripts/lib/installed.sh ]]; then
+  # shellcheck source=/dev/null
+  source "$repository/scripts/lib/installed.sh"
+fi
+# shellcheck disable=SC2034 # as above
+programs=$default_build_dir/bin default_scene=$default_config_dir/scenes/shelf.yaml
+if [[ ! -f $default_scene ]]; then default_scene=$repository/config/scenes/shelf.yaml; fi
+
 # Numbers and times are read by programs: 1.5, never 1,5, whatever the language of who is here.
 if [[ -n ${LC_ALL-} ]]; then
   export LANG=$LC_ALL
@@ -17,7 +40,10 @@ export LC_NUMERIC=C LC_TIME=C LC_COLLATE=C
 say() { printf '%s\n' "$*"; }
 
 # warn TEXT...: one line on standard error.
-warn() { printf '%s: %s\n' "$script_name" "$*" >&2; }
+warn() { printf '%s: %s\n' "$script_name" "$(as_called_here "$*")" >&2; }
+
+# explain: prints what is on standard input, a usage.
+explain() { as_called_here "$(cat)"; }
 
 # fail TEXT...: one line on standard error, then exit 1.
 fail() {
@@ -39,8 +65,11 @@ usage_error() {
   exit 2
 }
 
-# required_packages: the names in scripts/packages.txt, one a line.
-required_packages() { sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$repository/scripts/packages.txt"; }
+# required_packages: the names in scripts/packages.txt, one a line; in an installed tree those that it cannot run without.
+required_packages() {
+  awk -v installed="$installed" '{ sub(/#.*/, "") } NF && (installed == "no" || $2 == "Depends") { print $1 }' \
+    "$repository/scripts/packages.txt"
+}
 
 # missing_packages: those of them that are not installed, one a line; nothing where dpkg does not exist.
 missing_packages() {

@@ -4,17 +4,17 @@
 # new_dated_folder: makes logs/TIME and leaves its path in `folder`; waits while somebody else has taken the second.
 new_dated_folder() {
   local errors
-  if ! errors=$(mkdir -p -- "$repository/logs" 2>&1); then fail_with 2 "$repository/logs: cannot be made: ${errors##*: }"; fi
-  folder=$repository/logs/$(date +%Y-%m-%d_%H-%M-%S)
+  if ! errors=$(mkdir -p -- "$logs_dir" 2>&1); then fail_with 2 "$logs_dir: cannot be made: ${errors##*: }"; fi
+  folder=$logs_dir/$(date +%Y-%m-%d_%H-%M-%S)
   while ! errors=$(mkdir -- "$folder" 2>&1); do
     [[ -e $folder ]] || fail_with 2 "$folder: cannot be made: ${errors##*: }"
     sleep 0.2
-    folder=$repository/logs/$(date +%Y-%m-%d_%H-%M-%S)
+    folder=$logs_dir/$(date +%Y-%m-%d_%H-%M-%S)
   done
 }
 
 # point_latest_to FOLDER: logs/latest, for a folder in logs/.
-point_latest_to() { ln -sfn -- "${1##*/}" "$repository/logs/latest"; }
+point_latest_to() { ln -sfn -- "${1##*/}" "$logs_dir/latest"; }
 
 # with_receive_buffer URL: the URL as lcm-logger needs it: the kernel's default buffer loses raw frames.
 with_receive_buffer() {

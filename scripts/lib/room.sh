@@ -11,7 +11,7 @@ who_is_in_the_way() {
   case $status in
     1) printf '%s\n' "${lines:-$1 failed}" ;;
     0 | 3) ;;
-    2) printf '%s\n' "$1 is not of this version: scripts/build makes it" ;;
+    2) printf '%s\n' "$1 is not of this version: run $get_programs" ;;
     *) printf '%s\n' "nobody can tell who writes there: $1 ended with $status" ;;
   esac
 }

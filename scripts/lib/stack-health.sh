@@ -153,7 +153,7 @@ tell_of_watch() {
 # show_logs logs|tail: see scripts/stack's usage.
 show_logs() {
   local folder service files=()
-  folder=${log_dir:-$(readlink -- "$runtime_dir/logs" || printf '%s\n' "$repository/logs/stack")}
+  folder=${log_dir:-$(readlink -- "$runtime_dir/logs" || printf '%s\n' "$logs_dir/stack")}
   if ((${#services[@]} == 0)); then
     mapfile -t services < <(find "$folder" -maxdepth 1 -name '*.log' ! -name supervisord.log -printf '%f\n' 2>/dev/null |
       sed 's/\.log$//' | sort)

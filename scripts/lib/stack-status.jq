@@ -61,7 +61,15 @@ def duration: floor | [. / 3600, . % 3600 / 60, . % 60] | map(floor)
               and .session != $word.session and ($process.uptime_s > $heard.listened_s + 1.5 or $word.duplicate))][0] // empty
             | "another process of this name is on the bus: \(.pid) on \(.host)"),
           ($writes[] | select(.two_writers) | "another one writes \(.channel) too"),
-          ($writes[] | select(.several_types) | "\(.channel) carries several types")
+          ($writes[] | select(.several_types) | "\(.channel) carries several types"),
+          # Both sides: who writes what this one cannot read, and what this one writes that others cannot.
+          ($heard.channels[]? | .channel as $channel | .other_versions[]? | . as $other
+            | (any($word.channels[]?; .channel == $channel and .decode_failures > 0)) as $reads
+            | select($reads or ($word != null and .session == $word.session))
+            | [$heard.services[] | select(.session == $other.session) | "\(.name) (version \(.version)) on \(.host)"][0] as $writer
+            | (if $reads then "cannot read \($channel) of \($writer // "one that does not say its name")"
+               else "writes \($channel) in a way that others cannot read" end) +
+              ": another version of \(.type), \(.hash); ours is \(.our_hash)")
         ]
       }
     | .notes = (.wrong + [

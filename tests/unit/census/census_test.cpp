@@ -96,6 +96,37 @@ TEST(Census, NoticesAChannelThatChangesItsType) {
   EXPECT_TRUE(channel_of(census, "POSE").several_types);
 }
 
+TEST(Census, NamesWhoWritesAnotherVersionOfAType) {
+  Census census(kBegin_us);
+  hear_stream(census, "POSE", 3, 5);
+  Heard other;
+  other.channel = "POSE";
+  other.hash = 8;
+  other.utime = kBegin_us;
+  other.other_version = OtherVersion{"Kind", 7, 6};
+  census.hear(other);
+  census.hear(other);
+  census.hear(word("locator", 10, 6, 0), kBegin_us + 100);
+  const ChannelReport pose = channel_of(census, "POSE");
+  ASSERT_EQ(pose.other_versions.size(), 1U);
+  EXPECT_EQ(pose.other_versions[0].service, "locator");
+  EXPECT_EQ(pose.other_versions[0].events, 2);
+  EXPECT_EQ(pose.other_versions[0].hash, 8);
+  EXPECT_EQ(pose.other_versions[0].our_hash, 7);
+  EXPECT_FALSE(pose.two_writers) << "what it says of its writer may be invented";
+}
+
+TEST(Census, ForgetsOtherVersionsWhereThereAreTooMany) {
+  Census census(kBegin_us);
+  for (int64_t session = 1; session < 1000; ++session) {
+    Heard other;
+    other.channel = "POSE";
+    other.other_version = OtherVersion{"Kind", 7, session};
+    census.hear(other);
+  }
+  EXPECT_LE(channel_of(census, "POSE").other_versions.size(), 8U);
+}
+
 TEST(Census, CountsWhatItCannotDecode) {
   Census census(kBegin_us);
   Heard unknown;

@@ -1,11 +1,14 @@
 // Whatever bytes arrive, decoding ends with a message or a reason: no exception, no large allocation.
 
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "common/bus/safe_decode.hpp"
+#include "common/text/text.hpp"
 #include "tests/unit/lcmtypes/all_types.hpp"
 
 namespace markservo {
@@ -33,6 +36,20 @@ TYPED_TEST(EveryType, IsRefusedWhenTruncatedAnywhere) {
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_FALSE(bus::safe_decode<TypeParam>(bytes.data(), size).ok) << "after " << size << " bytes";
   }
+}
+
+TYPED_TEST(EveryType, NamesBothFingerprintsWhenItIsOfAnotherVersion) {
+  auto bytes = encoded_default<TypeParam>();
+  bytes[7] ^= 1;
+  const std::string why = bus::safe_decode<TypeParam>(bytes.data(), bytes.size()).error;
+  char ours[32];
+  char theirs[32];
+  const auto hash = static_cast<uint64_t>(TypeParam::getHash());
+  std::snprintf(ours, sizeof ours, "0x%016llx", static_cast<unsigned long long>(hash));
+  std::snprintf(theirs, sizeof theirs, "0x%016llx", static_cast<unsigned long long>(hash ^ 1));
+  EXPECT_EQ(why, std::string("message is of another version of ") + TypeParam::getTypeName() +
+                     " or of another type: its fingerprint is " + theirs + ", here it is " + ours);
+  EXPECT_LE(why.size(), text::kMaxBytes - 50) << "as a reason in SERVICE_STATUS, behind the channel's name";
 }
 
 TYPED_TEST(EveryType, IsRefusedWithBytesBehindIt) {
