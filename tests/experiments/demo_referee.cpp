@@ -321,13 +321,12 @@ int main(int argc, char** argv) {
       [&](const markservo::experiments::ExperimentOptions& options) {
         return markservo::experiments::run_demo(options, demo);
       },
-      [&](void* app) {
-        auto* cli = static_cast<CLI::App*>(app);
-        cli->add_option("--target", demo.target, "The mark of the object to take")->capture_default_str();
-        cli->add_option("--drive", demo.drive, "X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
+      [&](CLI::App& app) {
+        app.add_option("--target", demo.target, "The mark of the object to take")->capture_default_str();
+        app.add_option("--drive", demo.drive, "X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
             ->delimiter(',')
             ->expected(3);
-        cli->add_flag("--carry", demo.carry, "Carry it to the side, release it, go home");
-        cli->add_flag("--lockstep", demo.lockstep, "The simulator runs in lockstep and waits for SIM_CONTROL");
+        app.add_flag("--carry", demo.carry, "Carry it to the side, release it, go home");
+        app.add_flag("--lockstep", demo.lockstep, "The simulator runs in lockstep and waits for SIM_CONTROL");
       });
 }

@@ -202,9 +202,8 @@ int main(int argc, char** argv) {
       [&](const markservo::experiments::ExperimentOptions& options) {
         return markservo::experiments::experiment(options, laws);
       },
-      [&](void* app) {
-        static_cast<CLI::App*>(app)
-            ->add_option("--law", laws, "Laws to try")
+      [&](CLI::App& app) {
+        app.add_option("--law", laws, "Laws to try")
             ->delimiter(',')
             ->check(CLI::IsMember({"resolved-rate", "paper"}))
             ->capture_default_str();
