@@ -1,8 +1,9 @@
 #include "common/robot/workspace.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -11,12 +12,6 @@
 
 namespace markservo::robot {
 namespace {
-
-std::string millimetres(double metres) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f mm", metres * 1000.0);
-  return text;
-}
 
 // The least room, m, between the open fingers and the books beside and between them. The books stand along C's y; the
 // fingers reach from the spine to the fingertip, turned by the arm's yaw.
@@ -71,9 +66,9 @@ GripJudgement judge_grip(const RobotDescription& robot, const MarkDescription& t
 
   const double room = finger_room(arm, *target.grip, ik.q);
   if (room < robot.workspace.finger_clearance) {
-    return {GripVerdict::kUnreachable, "the fingers have " + millimetres(room) +
-                                           " of room between the books, less than " +
-                                           millimetres(robot.workspace.finger_clearance)};
+    return {GripVerdict::kUnreachable,
+            fmt::format("the fingers have {:.1f} mm of room between the books, less than {:.1f} mm", 1000.0 * room,
+                        1000.0 * robot.workspace.finger_clearance)};
   }
 
   Eigen::Isometry3d X_CT = Eigen::Isometry3d::Identity();

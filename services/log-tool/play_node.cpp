@@ -1,5 +1,7 @@
 #include "services/log-tool/play_node.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -31,9 +33,7 @@ void say(const std::string& line) {
 }
 
 std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f s", seconds);
-  return text;
+  return fmt::format("{:.1f} s", seconds);
 }
 
 std::set<std::string> channels_written(const std::string& url) {
