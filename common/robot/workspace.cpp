@@ -61,8 +61,11 @@ GripJudgement judge_grip(const RobotDescription& robot, const MarkDescription& t
   const ArmDescription& arm = *robot.arm;
   const MarkDescription& hand = manipulator_mark(robot);
 
-  const InverseKinematics ik = inverse_kinematics(arm, p_CT + target.grip->p_TG, robot.workspace.joint_margin);
-  if (ik.status != ReachStatus::kReachable) return {GripVerdict::kUnreachable, describe(ik.status)};
+  const Eigen::Vector3d p_CG = p_CT + target.grip->p_TG;
+  const InverseKinematics ik = inverse_kinematics(arm, p_CG, robot.workspace.joint_margin);
+  if (ik.status != ReachStatus::kReachable) {
+    return {GripVerdict::kUnreachable, why_unreachable(arm, p_CG, robot.workspace.joint_margin)};
+  }
 
   const double room = finger_room(arm, *target.grip, ik.q);
   if (room < robot.workspace.finger_clearance) {

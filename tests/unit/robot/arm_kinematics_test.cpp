@@ -65,6 +65,22 @@ TEST_F(ArmKinematics, InverseSaysWhyNot) {
   EXPECT_EQ(inverse_kinematics(arm_, a_little_back, 5.0 * kDegree).status, ReachStatus::kTooFar);
 }
 
+TEST_F(ArmKinematics, SaysWithNumbersWhyThereIsNoInverse) {
+  EXPECT_EQ(why_unreachable(arm_, {0.0325, 0.30, 0.0}, 0.0), "");
+  arm_.forearm = 0.15;
+  const Eigen::Vector3d p_CS = arm_.p_CA + Eigen::Vector3d(0.0, 0.0, arm_.column);
+  EXPECT_EQ(why_unreachable(arm_, p_CS + Eigen::Vector3d(0.0, 0.5, 0.0), 90.0 * kDegree),
+            "beyond the arm's reach: 0.500 m from the shoulder; allowed: 0.050 to 0.250 m");
+  EXPECT_EQ(why_unreachable(arm_, p_CS + Eigen::Vector3d(0.0, 0.0, 0.03), 0.0),
+            "too close to the arm's column: 0.030 m from the shoulder; allowed: 0.050 to 0.350 m");
+  EXPECT_EQ(why_unreachable(arm_, grip_point(arm_, {100.0 * kDegree, 0.5, -0.5}), 5.0 * kDegree),
+            "beyond the yaw joint's limit: 100.0 degrees; allowed: -85.0 to 85.0 degrees");
+  EXPECT_EQ(why_unreachable(arm_, grip_point(arm_, {0.0, -10.0 * kDegree, -0.5}), 5.0 * kDegree),
+            "beyond the shoulder joint's limit: -10.0 degrees; allowed: 0.0 to 155.0 degrees");
+  EXPECT_EQ(why_unreachable(arm_, grip_point(arm_, {0.0, 100.0 * kDegree, -158.0 * kDegree}), 5.0 * kDegree),
+            "beyond the elbow joint's limit: -158.0 degrees; allowed: -155.0 to -5.0 degrees");
+}
+
 TEST_F(ArmKinematics, HandMarkTurnsWithTheForearm) {
   // Grip point minus hand mark changes with the yaw: why no constant offset serves the workspace.
   const auto offset = [&](double x) {
