@@ -106,7 +106,9 @@ bool play(const LogSet& logs, const PlayOptions& options) {
   Player player(options.url);
   wishes.written = channels_written(options.url);
   if (bus::told_to_end()) return true;
-  const PlayPlan plan = plan_of(logs.events(), wishes, reflection::TypeCatalog::ours());
+  const PlayPlan plan =
+      plan_of(logs.events(), wishes, reflection::TypeCatalog::ours(), [] { return !bus::told_to_end(); });
+  if (bus::told_to_end()) return true;
   if (logs.damaged()) say("the log is damaged: what can be read is played (log-tool verify says more)");
   for (const std::string& line : left_out_text(plan)) say(line);
   if (plan.events.empty()) throw std::invalid_argument("no channel to play is in the log; log-tool info shows what is");
