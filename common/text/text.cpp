@@ -117,6 +117,12 @@ std::string cleaned(std::string text) {
   return text;
 }
 
+bool is_decimal(std::string_view text) {
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
+  if (text.empty() || text.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  return text.size() == 1 || text.front() != '0';
+}
+
 std::string printable(std::string_view text) {
   std::string shown;
   shown.reserve(text.size());
