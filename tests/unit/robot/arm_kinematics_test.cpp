@@ -4,10 +4,12 @@
 
 #include <cmath>
 
+#include "common/geometry/plane_pose.hpp"
+
 namespace markservo::robot {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kDegree = geometry::radians(1.0);
 
 class ArmKinematics : public ::testing::Test {
  protected:
