@@ -1,15 +1,9 @@
 #include "common/bus/health.hpp"
 
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace markservo::bus {
 namespace {
-
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g s", seconds);
-  return text;
-}
 
 bool says_why(const Word& own) {
   return (own.state == kWaiting || own.state == kStale) && !own.reason.empty();
@@ -25,7 +19,7 @@ std::optional<Word> word_about(const std::vector<NeededInput>& inputs) {
       return Word{state, input.channel + ": all refused: " + input.refusal};
     }
     if (!input.accepted_age) return Word{state, input.channel + ": not heard yet"};
-    return Word{state, input.channel + ": not heard for more than " + seconds_text(input.max_age)};
+    return Word{state, input.channel + fmt::format(": not heard for more than {:.3g} s", input.max_age)};
   }
   return std::nullopt;
 }

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <string>
 
+#include "common/text/text.hpp"
+
 namespace markservo::bus {
 
 // That a number is one, and from `min` to `max`. (CLI::Range takes "nan", which is neither below nor above.)
@@ -27,6 +29,26 @@ class Within : public CLI::Validator {
     return out.str();
   }
 };
+
+// That a whole number is written as people do: CLI11 reads 0640 as 416.
+class Decimal : public CLI::Validator {
+ public:
+  Decimal() {
+    func_ = [](std::string& input) {
+      const bool good = text::is_decimal(input);
+      return good ? std::string() : "'" + input + "'; allowed: a whole number, without zeros before it";
+    };
+  }
+};
+
+// Asks that of all options of `app` that are whole numbers, given on the command line or in a file; to be called when
+// they are all there.
+inline void require_decimal_numbers(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    if (type.rfind("INT", 0) == 0 || type.rfind("UINT", 0) == 0) option->check(Decimal());
+  }
+}
 
 // Adds options that are numbers in a range, their values as they stand the defaults:
 //

@@ -10,6 +10,7 @@
 
 #include "common/bus/config_file.hpp"
 #include "common/bus/log_format.hpp"
+#include "common/bus/number_options.hpp"
 #include "common/bus/session.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/text/text.hpp"
@@ -132,6 +133,7 @@ int run_service(const ServiceInfo& info, Service& service, int argc, char** argv
   CommonOptions options;
   add_common_options(app, options);
   service.add_options(app);
+  require_decimal_numbers(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {

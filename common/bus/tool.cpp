@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "common/bus/number_options.hpp"
 #include "common/bus/service.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/text/text.hpp"
@@ -23,6 +24,7 @@ int run_tool(CLI::App& app, int argc, char** argv, const std::function<int()>& r
     std::cerr << app.get_name() << ": " << text::printable(error.what()) << more << std::endl;
     return code;
   };
+  require_decimal_numbers(app);
   try {
     app.parse(argc, argv);
     return run();

@@ -1,7 +1,8 @@
 #include "common/census/census_text.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <vector>
 
 #include "common/reflection/type_catalog.hpp"
@@ -96,10 +97,8 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
-std::string number(double value, const char* format = "%.1f") {
-  char text[48];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+std::string number(double value) {
+  return fmt::format("{:.1f}", value);
 }
 
 std::string remarks_of(const ServiceReport& service) {

@@ -70,8 +70,9 @@ std::string MessageRules<WheelOdometry>::violation(const WheelOdometry& odometry
 
 std::string MessageRules<SonarScan>::violation(const SonarScan& scan) {
   if (!all_finite({scan.min_range, scan.max_range, scan.beam_width})) return not_finite("a range or the beam's width");
-  if (scan.min_range < 0.0 || scan.min_range >= scan.max_range || scan.max_range > kMaxSonarRange) {
-    return wrong("max_range", scan.max_range, "above min_range, which is 0 or more, up to 100 m");
+  if (scan.min_range < 0.0) return wrong("min_range", scan.min_range, "0 m or more");
+  if (scan.max_range <= scan.min_range || scan.max_range > kMaxSonarRange) {
+    return wrong("max_range", scan.max_range, "above min_range, up to 100 m");
   }
   if (scan.beam_width < 0.0 || scan.beam_width > 2.0 * M_PI) {
     return wrong("beam_width", scan.beam_width, "0 to 2 pi rad");

@@ -2,9 +2,10 @@
 
 // The words that message rules share.
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <initializer_list>
 #include <markservo/Pose2.hpp>
 #include <string>
@@ -41,15 +42,11 @@ inline std::string not_finite(const std::string& field) {
 // "FIELD is VALUE; allowed: ALLOWED".
 template <class Value>
 std::string wrong(const std::string& field, Value value, const std::string& allowed) {
-  std::string shown;
   if constexpr (std::is_integral_v<Value>) {
-    shown = std::to_string(value);
+    return fmt::format("{} is {}; allowed: {}", field, value, allowed);
   } else {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.9g", value);
-    shown = digits;
+    return fmt::format("{} is {:.9g}; allowed: {}", field, value, allowed);
   }
-  return field + " is " + shown + "; allowed: " + allowed;
 }
 
 inline std::string beyond(const std::string& field, double value, double most) {

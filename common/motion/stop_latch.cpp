@@ -1,7 +1,8 @@
 #include "common/motion/stop_latch.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 
 #include "common/time/seconds_between.hpp"
 
@@ -33,10 +34,7 @@ StopHeard StopLatch::hear(const StopRequestStamp& request, std::int64_t now, con
 std::string StopLatch::why_stale(const StopRequestStamp& request, std::int64_t now) const {
   const std::string out_of_time = inbox_.why_stale(request.stamp, now);
   if (!out_of_time.empty() || !request.reset || request.stamp.utime >= latched_at_) return out_of_time;
-  char text[96];
-  std::snprintf(text, sizeof text, "it is of %.2f s before the newest STOP",
-                -seconds_between(latched_at_, request.stamp.utime));
-  return text;
+  return fmt::format("it is of {:.2f} s before the newest STOP", -seconds_between(latched_at_, request.stamp.utime));
 }
 
 void StopLatch::latch(const std::string& reason, std::int64_t now) {

@@ -133,10 +133,34 @@ void parse_fields(Tokens& tokens, MessageType& type) {
   tokens.expect(";");
 }
 
-// Constants are no part of a message's bytes.
-void skip_constant(Tokens& tokens) {
-  while (!tokens.take_if(";")) tokens.take();
-}
+// The rows of constants that may name a field's values.
+class ConstantRows {
+ public:
+  // Reads what follows "const".
+  void parse(Tokens& tokens) {
+    tokens.take();  // the type
+    while (!tokens.take_if(";")) {
+      const std::string name = tokens.take();
+      if (!tokens.take_if("=")) continue;
+      std::string value;
+      while (tokens.now() != "," && tokens.now() != ";") value += tokens.take();
+      tokens.take_if(",");
+      if (value == "0") rows_.emplace_back();
+      if (!rows_.empty() && value == std::to_string(rows_.back().size())) rows_.back().push_back(name);
+    }
+  }
+
+  void name_values_of(MessageType& type) const {
+    auto row = rows_.begin();
+    for (Field& field : type.fields) {
+      if (row == rows_.end()) return;
+      if (field.kind == Kind::kInt8 && field.dimensions.empty()) field.value_names = *row++;
+    }
+  }
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
 
 MessageType parse_struct(Tokens& tokens, const std::string& package) {
   MessageType type;
@@ -147,14 +171,16 @@ MessageType parse_struct(Tokens& tokens, const std::string& package) {
     type.package = type.name.substr(0, dot);
     type.name.erase(0, dot + 1);
   }
+  ConstantRows constants;
   tokens.expect("{");
   while (!tokens.take_if("}")) {
     if (tokens.take_if("const")) {
-      skip_constant(tokens);
+      constants.parse(tokens);
     } else if (!tokens.take_if(";")) {
       parse_fields(tokens, type);
     }
   }
+  constants.name_values_of(type);
   return type;
 }
 

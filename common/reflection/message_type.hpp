@@ -25,6 +25,8 @@ struct Field {
   Kind kind = Kind::kInt8;
   const MessageType* message = nullptr;  // of kMessage; set by TypeCatalog
   std::vector<Dimension> dimensions;     // empty: one value
+  // Of 0, 1, 2 and so on: the constants that name this field's values; empty: none do.
+  std::vector<std::string> value_names;
 };
 
 struct MessageType {

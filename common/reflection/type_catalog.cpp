@@ -1,7 +1,8 @@
 #include "common/reflection/type_catalog.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -111,9 +112,7 @@ std::vector<const MessageType*> TypeCatalog::all() const {
 }
 
 std::string fingerprint_text(std::uint64_t fingerprint) {
-  char text[19];
-  std::snprintf(text, sizeof text, "0x%016llx", static_cast<unsigned long long>(fingerprint));
-  return text;
+  return fmt::format("0x{:016x}", fingerprint);
 }
 
 }  // namespace markservo::reflection

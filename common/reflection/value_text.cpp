@@ -7,23 +7,24 @@
 namespace markservo::reflection {
 namespace {
 
-void add_leaves(const std::string& path, const Value& value, std::vector<Leaf>& leaves);
+void add_leaves(const std::string& path, const Field& field, const Value& value, std::vector<Leaf>& leaves);
 
 void add_leaves(const std::string& path, const Fields& fields, std::vector<Leaf>& leaves) {
   for (std::size_t i = 0; i < fields.values.size(); ++i) {
-    add_leaves((path.empty() ? "" : path + ".") + fields.type->fields[i].name, fields.values[i], leaves);
+    const Field& field = fields.type->fields[i];
+    add_leaves((path.empty() ? "" : path + ".") + field.name, field, fields.values[i], leaves);
   }
 }
 
-void add_leaves(const std::string& path, const Value& value, std::vector<Leaf>& leaves) {
+void add_leaves(const std::string& path, const Field& field, const Value& value, std::vector<Leaf>& leaves) {
   if (const auto* list = std::get_if<List>(&value.content)) {
     for (std::size_t i = 0; i < list->size(); ++i) {
-      add_leaves(path + "[" + std::to_string(i) + "]", (*list)[i], leaves);
+      add_leaves(path + "[" + std::to_string(i) + "]", field, (*list)[i], leaves);
     }
   } else if (const auto* fields = std::get_if<Fields>(&value.content)) {
     add_leaves(path, *fields, leaves);
   } else {
-    leaves.push_back({path, value});
+    leaves.push_back({path, value, &field});
   }
 }
 
@@ -72,6 +73,13 @@ std::string text_of(const Value& value) {
         return {};
       },
       value.content);
+}
+
+std::string text_of(const Field& field, const Value& value) {
+  const auto* number = std::get_if<std::int64_t>(&value.content);
+  const bool is_named =
+      number != nullptr && *number >= 0 && static_cast<std::uint64_t>(*number) < field.value_names.size();
+  return is_named ? field.value_names[static_cast<std::size_t>(*number)] : text_of(value);
 }
 
 std::string printable(std::string text) {

@@ -1,6 +1,10 @@
 #include "common/robot/arm_kinematics.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
+
+#include "common/geometry/plane_pose.hpp"
 
 namespace markservo::robot {
 namespace {
@@ -111,6 +115,36 @@ const char* describe(ReachStatus status) {
       return "beyond the elbow joint's limit";
   }
   return "unknown";
+}
+
+std::string why_unreachable(const ArmDescription& arm, const Eigen::Vector3d& p_CG, double margin) {
+  const InverseKinematics ik = inverse_kinematics(arm, p_CG, margin);
+  const auto beyond_limit = [&](std::size_t joint, double angle) {
+    return fmt::format("{}: {:.1f} degrees; allowed: {:.1f} to {:.1f} degrees", describe(ik.status),
+                       geometry::degrees(angle), geometry::degrees(arm.joints[joint].min + margin),
+                       geometry::degrees(arm.joints[joint].max - margin));
+  };
+  switch (ik.status) {
+    case ReachStatus::kTooFar:
+    case ReachStatus::kTooClose: {
+      const Eigen::Vector3d p_AG = arm_base_pose(arm).inverse() * p_CG;
+      const Eigen::Vector3d p_AS(0.0, 0.0, arm.column);  // the shoulder
+      const double least = std::abs(arm.upper_arm - arm.forearm);
+      // The elbow is bent by the margin.
+      const double most = std::hypot(arm.upper_arm + arm.forearm * std::cos(margin), arm.forearm * std::sin(margin));
+      return fmt::format("{}: {:.3f} m from the shoulder; allowed: {:.3f} to {:.3f} m", describe(ik.status),
+                         (p_AG - p_AS).norm(), least, most);
+    }
+    case ReachStatus::kYawLimit:
+      return beyond_limit(0, ik.q[0]);
+    case ReachStatus::kShoulderLimit:
+      return beyond_limit(1, ik.q[1]);
+    case ReachStatus::kElbowLimit:
+      return beyond_limit(2, ik.q[2]);
+    case ReachStatus::kReachable:
+      break;
+  }
+  return {};
 }
 
 }  // namespace markservo::robot

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <optional>
+#include <string>
 
 #include "common/robot/robot_description.hpp"
 
@@ -49,7 +50,11 @@ struct InverseKinematics {
 // far from straight.
 InverseKinematics inverse_kinematics(const ArmDescription& arm, const Eigen::Vector3d& p_CG, double margin);
 
-// A sentence for people: "beyond the arm's reach", "yaw limit", ...
+// For people: "beyond the arm's reach", "beyond the yaw joint's limit", ...
 const char* describe(ReachStatus status);
+
+// Why inverse_kinematics() has no answer, with the numbers: "beyond the arm's reach: 0.412 m from the shoulder;
+// allowed: 0.000 to 0.400 m"; empty where it has one.
+std::string why_unreachable(const ArmDescription& arm, const Eigen::Vector3d& p_CG, double margin);
 
 }  // namespace markservo::robot

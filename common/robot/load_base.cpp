@@ -1,8 +1,9 @@
 #include "common/robot/load_base.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <set>
 
@@ -96,8 +97,7 @@ std::vector<FloorTag> load_grid(YamlSection section) {
   std::vector<FloorTag> tags;
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      char tail[kCountedDigits + 1];
-      std::snprintf(tail, sizeof tail, "%08lX", (begin + tags.size()) & 0xFFFFFFFFUL);
+      const std::string tail = fmt::format("{:08X}", (begin + tags.size()) & 0xFFFFFFFFUL);
       tags.push_back({head + tail, Eigen::Vector2d(column * spacing, row * spacing)});
     }
   }

@@ -1,8 +1,9 @@
 #include "common/robot/workspace.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -11,12 +12,6 @@
 
 namespace markservo::robot {
 namespace {
-
-std::string millimetres(double metres) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f mm", metres * 1000.0);
-  return text;
-}
 
 // The least room, m, between the open fingers and the objects beside and between them. The objects stand along C's y;
 // the fingers reach from the object's front to the fingertip, turned by the arm's yaw.
@@ -66,14 +61,17 @@ GripJudgement judge_grip(const RobotDescription& robot, const MarkDescription& t
   const ArmDescription& arm = *robot.arm;
   const MarkDescription& hand = manipulator_mark(robot);
 
-  const InverseKinematics ik = inverse_kinematics(arm, p_CT + target.grip->p_TG, robot.workspace.joint_margin);
-  if (ik.status != ReachStatus::kReachable) return {GripVerdict::kUnreachable, describe(ik.status)};
+  const Eigen::Vector3d p_CG = p_CT + target.grip->p_TG;
+  const InverseKinematics ik = inverse_kinematics(arm, p_CG, robot.workspace.joint_margin);
+  if (ik.status != ReachStatus::kReachable) {
+    return {GripVerdict::kUnreachable, why_unreachable(arm, p_CG, robot.workspace.joint_margin)};
+  }
 
   const double room = finger_room(arm, *target.grip, ik.q);
   if (room < robot.workspace.finger_clearance) {
-    return {GripVerdict::kUnreachable, "the fingers have " + millimetres(room) +
-                                           " of room between the objects, less than " +
-                                           millimetres(robot.workspace.finger_clearance)};
+    return {GripVerdict::kUnreachable,
+            fmt::format("the fingers have {:.1f} mm of room between the objects, less than {:.1f} mm", 1000.0 * room,
+                        1000.0 * robot.workspace.finger_clearance)};
   }
 
   Eigen::Isometry3d X_CT = Eigen::Isometry3d::Identity();

@@ -70,15 +70,6 @@ class RepeatedKeys {
   int seen_ = 0;
 };
 
-// A whole number as people write it: in YAML 1.1 0640 is 416.
-bool is_decimal(const std::string& text) {
-  const std::size_t first = text.find_first_not_of("+-");
-  if (first == std::string::npos || first > 1) return false;
-  const std::string digits = text.substr(first);
-  if (digits.find_first_not_of("0123456789") != std::string::npos) return false;
-  return digits.size() == 1 || digits.front() != '0';
-}
-
 }  // namespace
 
 Allowed Allowed::any() {
@@ -157,7 +148,7 @@ int YamlSection::integer(const std::string& key, int min, int max) {
   const YAML::Node node = required(key);
   const std::string allowed = "a whole number from " + std::to_string(min) + " to " + std::to_string(max);
   int value = 0;
-  if (!node.IsScalar() || !is_decimal(node.Scalar())) fail(key, "'" + node_text(node) + "'", allowed);
+  if (!node.IsScalar() || !text::is_decimal(node.Scalar())) fail(key, "'" + node_text(node) + "'", allowed);
   try {
     value = node.as<int>();
   } catch (const YAML::Exception&) {

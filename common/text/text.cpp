@@ -1,8 +1,9 @@
 #include "common/text/text.hpp"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cstdint>
-#include <cstdio>
 
 namespace markservo::text {
 namespace {
@@ -60,11 +61,9 @@ std::string written_out(const Character& character) {
   if (character.is_utf8 && character.code == '\n') return "\\n";
   if (character.is_utf8 && character.code == '\r') return "\\r";
   if (character.is_utf8 && character.code == '\t') return "\\t";
-  std::array<char, 16> written{};
-  const bool as_byte = !character.is_utf8 || character.code < 0x80;
-  std::snprintf(written.data(), written.size(), as_byte ? "\\x%02x" : "\\u%04x",
-                static_cast<unsigned int>(character.code));
-  return written.data();
+  const auto code = static_cast<std::uint32_t>(character.code);
+  const bool as_byte = !character.is_utf8 || code < 0x80;
+  return as_byte ? fmt::format("\\x{:02x}", code) : fmt::format("\\u{:04x}", code);
 }
 
 // The first harmful character's place; text.size() if there is none.
@@ -116,6 +115,12 @@ void clean(std::string& text) {
 std::string cleaned(std::string text) {
   clean(text);
   return text;
+}
+
+bool is_decimal(std::string_view text) {
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
+  if (text.empty() || text.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  return text.size() == 1 || text.front() != '0';
 }
 
 std::string printable(std::string_view text) {

@@ -24,6 +24,10 @@ std::string violation(std::string_view field, std::string_view text);
 void clean(std::string& text);
 std::string cleaned(std::string text);
 
+// Whether `text` is a whole number as people write it, with a sign or without: 0640, which programs read as 416, and
+// 0x10 are none.
+bool is_decimal(std::string_view text);
+
 // `text` as it may be logged or shown, of any length: what is harmful is written out as \n, \x1b, \u202e.
 std::string printable(std::string_view text);
 

@@ -87,14 +87,15 @@ gaps_of() {
     "\($seconds * 100 | round / 100) s are missing (" + (.gaps | map(.reason) | unique | join(", ")) + ")"' "$1/manifest.json"
 }
 
-# counts FOLDER: what log-tool finds in the recording; null where it cannot tell.
+# counts FOLDER: what log-tool finds in the recording; null where it cannot tell. A long recording takes minutes, which
+# Ctrl-C ends, whatever it does here otherwise.
 counts() {
   local status=0 report=''
   if [[ -z $(find "$1" -maxdepth 1 -name 'log.lcm*' -size +0) ]]; then
     echo '{"files": [], "channels": []}'
     return
   fi
-  if [[ -x $log_tool ]]; then report=$("$log_tool" info --json "$1" 2>/dev/null) || status=$?; fi
+  if [[ -x $log_tool ]]; then report=$(trap - INT TERM HUP; exec "$log_tool" info --json "$1" 2>/dev/null) || status=$?; fi
   # 1: it is damaged, and said where.
   if ((status > 1)) || ! jq -e 'type == "object"' <<<"$report" 2>/dev/null >&2; then report=null; fi
   printf '%s\n' "$report"
@@ -103,12 +104,14 @@ counts() {
 # complete_manifest FOLDER ENDED_BY END EXIT_CODE WORDS REMOVED: END as instant takes it, EXIT_CODE of lcm-logger (null:
 # nobody saw it), WORDS what it said, REMOVED how many parts --keep has deleted.
 complete_manifest() {
-  local name text
+  local name text counted
+  # Not beside jq: what bash runs beside something hears no Ctrl-C.
+  counted=$(counts "$1")
   text=$(jq --arg ended_by "$2" --argjson ended "$(instant "$3")" --argjson exit_code "$4" --arg said "$5" --argjson removed "$6" \
     --slurpfile parts <(parts "$1" | while IFS= read -r name; do
       jq -cn --arg file "$name" --argjson bytes "$(stat -c %s -- "$1/$name")" '{$file, $bytes}'
     done | jq -cs .) \
-    --slurpfile counts <(counts "$1") \
+    --slurpfile counts <(cat <<<"$counted") \
     '$counts[0] as $c | .gaps = [.gaps[]? | .to = (.to // $ended)] | .end = $ended | .ended_by = $ended_by | .logger = {$exit_code, $said} | .parts = $parts[0] |
       .parts_removed = $removed |
       if $c == null then . else
@@ -124,7 +127,7 @@ complete_manifest() {
 told_of() {
   jq -r '(.parts | map(.bytes) | add // 0) as $bytes |
     "\((.end.utime - .start.utime) / 1e5 | round / 10) s, \($bytes / 1e5 | round / 10) MB in \(.parts | length) file(s)" +
-    (if .events == null then "" else ", \(.events) messages on \(.channels | length) channels, \(.lost) lost" end) +
+    (if .events == null then ", not counted (scripts/log info counts)" else ", \(.events) messages on \(.channels | length) channels, \(.lost) lost" end) +
     (if (.gaps // []) == [] then "" else ", not recorded for \(.gaps | map((.to.utime - .from.utime) / 1e6) | add * 10 | round / 10) s" end) +
     (if (.damage // []) == [] then "" else ", torn at the end or damaged (scripts/log info tells where)" end)' \
     "$1/manifest.json"

@@ -23,3 +23,5 @@ if ((pause > 0)); then
   printf 'crashed %d times in a row: started again in %d s\n' "$crashes" "$pause" >&2
   sleep "$pause"
 fi
+# What stands in the log before this line was said by another process (scripts/lib/stack-health.sh).
+printf -- '-- started %(%F %T)T, process %d\n' -1 $$

@@ -63,12 +63,12 @@ await_ready() {
   [[ $failed == no ]]
 }
 
-# last_complaints: for each log its service, a tab and the newest warning or error in it, where there is one.
+# last_complaints: for each log its service, a tab and the newest warning or error of its last process, where there is one.
 last_complaints() {
   local file
   for file in "$log_dir"/*.log; do
-    tail -n 500 -- "$file" 2>/dev/null | tr -d '\t' | grep -aE '^[0-9:.]+ [a-z0-9-]+ (warning|error|critical) ' |
-      tail -n 1 | awk '{ print $2 "\t" $0 }' || true
+    tail -n 500 -- "$file" 2>/dev/null | tr -d '\t' | LC_ALL=C awk '/^-- started / { line = "" }
+      /^[0-9:.]+ [a-z0-9-]+ (warning|error|critical) / { line = $2 "\t" $0 } END { if (line != "") print line }' || true
   done
 }
 

@@ -15,6 +15,12 @@ std::string quoted(const std::string& text) {
   return escaped + '"';
 }
 
+std::string cell_of(const reflection::Leaf& leaf) {
+  const std::string text =
+      leaf.field == nullptr ? reflection::text_of(leaf.value) : reflection::text_of(*leaf.field, leaf.value);
+  return quoted(text::printable(text));
+}
+
 }  // namespace
 
 void CsvColumns::learn(const std::vector<reflection::Leaf>& leaves) {
@@ -33,7 +39,7 @@ std::string CsvColumns::row(std::int64_t log_utime, const std::vector<reflection
   std::vector<std::string> cells(columns_.size());
   for (const reflection::Leaf& leaf : leaves) {
     const auto column = index_.find(leaf.path);
-    if (column != index_.end()) cells[column->second] = quoted(text::printable(reflection::text_of(leaf.value)));
+    if (column != index_.end()) cells[column->second] = cell_of(leaf);
   }
   std::string line = std::to_string(log_utime);
   for (const std::string& cell : cells) line += "," + cell;

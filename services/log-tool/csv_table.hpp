@@ -9,7 +9,8 @@
 namespace markservo::log_tool {
 
 // Messages of one channel as rows of comma-separated values (RFC 4180): one column a plain value, named by its path.
-// Messages of different lengths share the columns; what a message does not have stays empty.
+// Messages of different lengths share the columns; what a message does not have stays empty. A value that a constant of
+// its type names is written by that name.
 class CsvColumns {
  public:
   // Learns the columns that a message needs.

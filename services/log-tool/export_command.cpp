@@ -12,6 +12,7 @@
 
 #include "services/log-tool/csv_table.hpp"
 #include "services/log-tool/frame_pictures.hpp"
+#include "services/log-tool/known_values.hpp"
 #include "services/log-tool/log_files.hpp"
 
 namespace markservo::log_tool {
@@ -65,8 +66,9 @@ std::string write_table(const std::string& path, const std::vector<Event>& event
   table << columns.header();
   std::size_t left_out = 0;
   for (const Event& event : events) {
-    const DecodedMessage message = decoded(event);
+    DecodedMessage message = decoded(event);
     if (message.error.empty()) {
+      leave_out_unknown(message.fields);
       table << columns.row(event.utime, reflection::leaves(message.fields));
     } else {
       ++left_out;

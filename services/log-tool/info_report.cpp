@@ -35,6 +35,22 @@ std::string notes(const ChannelSummary& channel) {
   return text;
 }
 
+// What the table's words mean, of those that are in it.
+std::string legend(const LogSummary& summary) {
+  const auto any = [&summary](auto has) { return std::any_of(summary.channels.begin(), summary.channels.end(), has); };
+  std::string text;
+  if (any([](const ChannelSummary& channel) { return channel.lost.value_or(0) > 0; })) {
+    text += "lost: missing in the numbers that each session counts; the recorder did not hear them, others may have\n";
+  }
+  if (any([](const ChannelSummary& channel) { return channel.sessions > 1; })) {
+    text += "sessions: writers of the channel, each start of one is another\n";
+  }
+  if (any([](const ChannelSummary& channel) { return channel.time_reversals > 0; })) {
+    text += "back in time: messages of a session with an earlier time (utime) than the one before\n";
+  }
+  return text.empty() ? text : "\n" + text;
+}
+
 std::string utc(std::int64_t utime) {
   try {
     return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(static_cast<std::time_t>(utime / 1'000'000)));
@@ -53,7 +69,8 @@ std::string info_text(const LogSet& logs, const LogSummary& summary) {
   }
   text += fmt::format("{} to {}, {:.1f} s, {} events", utc(summary.first_utime), utc(summary.last_utime),
                       summary.seconds(), summary.events);
-  if (summary.time_reversals > 0) text += fmt::format(", {} back in time", summary.time_reversals);
+  if (summary.time_reversals > 0)
+    text += fmt::format(", {} logged earlier than the one before", summary.time_reversals);
   std::size_t wide = 7;
   std::size_t wide_type = 4;
   for (const ChannelSummary& channel : summary.channels) {
@@ -71,7 +88,7 @@ std::string info_text(const LogSet& logs, const LogSummary& summary) {
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
-  return text;
+  return text + legend(summary);
 }
 
 nlohmann::ordered_json info_json(const LogSet& logs, const LogSummary& summary) {

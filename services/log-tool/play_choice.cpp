@@ -75,7 +75,8 @@ Fate fate_of(const std::string& channel, const PlayWishes& wishes) {
   return Fate::kPlayed;
 }
 
-PlayPlan plan_of(const std::vector<Event>& events, const PlayWishes& wishes, const reflection::TypeCatalog& types) {
+PlayPlan plan_of(const std::vector<Event>& events, const PlayWishes& wishes, const reflection::TypeCatalog& types,
+                 const std::function<bool()>& goes_on) {
   const std::set<std::uint64_t> moving = moving_types(types);
   const auto moves = [&](const Event& event) {
     std::uint64_t fingerprint = 0;
@@ -85,6 +86,7 @@ PlayPlan plan_of(const std::vector<Event>& events, const PlayWishes& wishes, con
   PlayPlan plan;
   std::map<std::string, Fate, std::less<>> fates;
   for (const Event& event : events) {
+    if (!goes_on()) break;
     auto known = fates.find(event.channel);
     if (known == fates.end()) {
       const std::string name(event.channel);

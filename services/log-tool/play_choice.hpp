@@ -3,6 +3,7 @@
 // What of a log may go to a bus that a robot may be on. Pure: who is on the bus is told.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -45,8 +46,11 @@ struct PlayPlan {
   std::map<std::string, std::int64_t> moving_messages;
 };
 
-// `types` tells a message's type by its fingerprint.
-PlayPlan plan_of(const std::vector<Event>& events, const PlayWishes& wishes, const reflection::TypeCatalog& types);
+// `types` tells a message's type by its fingerprint. Every message is looked at, which takes minutes for a long log:
+// that is given up, and the plan holds what was seen until then, as soon as `goes_on` says no.
+PlayPlan plan_of(
+    const std::vector<Event>& events, const PlayWishes& wishes, const reflection::TypeCatalog& types,
+    const std::function<bool()>& goes_on = [] { return true; });
 
 // One line, without its end, for each kind of thing left out (kNotNamed apart), with the reason and what plays it;
 // printable ASCII, whatever the log's names are.

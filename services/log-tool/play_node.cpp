@@ -1,5 +1,7 @@
 #include "services/log-tool/play_node.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -31,9 +33,7 @@ void say(const std::string& line) {
 }
 
 std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f s", seconds);
-  return text;
+  return fmt::format("{:.1f} s", seconds);
 }
 
 std::set<std::string> channels_written(const std::string& url) {
@@ -106,7 +106,9 @@ bool play(const LogSet& logs, const PlayOptions& options) {
   Player player(options.url);
   wishes.written = channels_written(options.url);
   if (bus::told_to_end()) return true;
-  const PlayPlan plan = plan_of(logs.events(), wishes, reflection::TypeCatalog::ours());
+  const PlayPlan plan =
+      plan_of(logs.events(), wishes, reflection::TypeCatalog::ours(), [] { return !bus::told_to_end(); });
+  if (bus::told_to_end()) return true;
   if (logs.damaged()) say("the log is damaged: what can be read is played (log-tool verify says more)");
   for (const std::string& line : left_out_text(plan)) say(line);
   if (plan.events.empty()) throw std::invalid_argument("no channel to play is in the log; log-tool info shows what is");

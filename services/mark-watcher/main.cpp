@@ -5,7 +5,9 @@
 #include <markservo/TargetPose.hpp>
 
 #include "common/bus/service.hpp"
+#include "common/messages/state_codes.hpp"
 #include "common/robot/require_mark.hpp"
+#include "common/states/mark_status.hpp"
 
 using markservo::LocatedMark;
 using markservo::TargetPose;
@@ -37,7 +39,8 @@ class MarkWatcher : public markservo::bus::Service {
       if (mark.status == LocatedMark::LOCATED) {
         std::printf("%s x=%.4f m y=%.4f m z=%.4f m\n", mark.name.c_str(), mark.p_C.x, mark.p_C.y, mark.p_C.z);
       } else {
-        std::printf("%s not located\n", mark.name.c_str());
+        const auto status = markservo::messages::state_of<markservo::MarkStatus>(mark.status);
+        std::printf("%s not located: %s\n", mark.name.c_str(), name_of(status));
       }
     }
     std::fflush(stdout);

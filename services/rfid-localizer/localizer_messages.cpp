@@ -1,6 +1,6 @@
 #include "services/rfid-localizer/localizer_messages.hpp"
 
-#include <cstdio>
+#include <fmt/core.h>
 
 #include "common/time/seconds_between.hpp"
 
@@ -37,11 +37,7 @@ void take_paper_pose(const PaperLocalisation& paper, RobotPose& message) {
   const double age = seconds_between(paper.utime, message.utime);
   message.state = age <= kOld ? RobotPose::LOCALISED : RobotPose::LOST;
   message.reason.clear();
-  if (age > kOld) {
-    char text[80];
-    std::snprintf(text, sizeof text, "no tag of the map was read for %.1f s", age);
-    message.reason = text;
-  }
+  if (age > kOld) message.reason = fmt::format("no tag of the map was read for {:.1f} s", age);
   message.pose = {paper.compensated_x, paper.compensated_y, paper.direction};
   message.speed = paper.speed;
   message.turn_rate = 0.0;

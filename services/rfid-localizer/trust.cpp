@@ -1,8 +1,9 @@
 #include "services/rfid-localizer/trust.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace markservo::rfid_localizer {
 
@@ -40,21 +41,18 @@ Placement Trust::placement(double sigma, double since_round) const {
 }
 
 std::string Trust::reason(double sigma, double since_round) const {
-  char text[120];
   if (placement(sigma, since_round) == Placement::kLocalised) return {};
   if (since_round > parameters_.silence) {
-    std::snprintf(text, sizeof text, "no round of the RFID reader for %.1f s", since_round);
-  } else if (agreements_ == 0) {
-    return why_lost_.empty() ? "no tag of the map was read yet" : why_lost_ + "; no tag of the map was read since";
-  } else if (agreements_ < parameters_.confirmations) {
-    std::snprintf(text, sizeof text, "%d of %d rounds confirm the place", agreements_, parameters_.confirmations);
-  } else if (doubt_ >= parameters_.suspect) {
-    return "the reads contradict the pose";
-  } else {
-    std::snprintf(text, sizeof text, "position known to %.2f m only; allowed: %.2f m", sigma,
-                  parameters_.largest_sigma);
+    return fmt::format("no round of the RFID reader for {:.1f} s", since_round);
   }
-  return text;
+  if (agreements_ == 0) {
+    return why_lost_.empty() ? "no tag of the map was read yet" : why_lost_ + "; no tag of the map was read since";
+  }
+  if (agreements_ < parameters_.confirmations) {
+    return fmt::format("{} of {} rounds confirm the place", agreements_, parameters_.confirmations);
+  }
+  if (doubt_ >= parameters_.suspect) return "the reads contradict the pose";
+  return fmt::format("position known to {:.2f} m only; allowed: {:.2f} m", sigma, parameters_.largest_sigma);
 }
 
 }  // namespace markservo::rfid_localizer

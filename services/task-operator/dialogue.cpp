@@ -1,7 +1,7 @@
 #include "services/task-operator/dialogue.hpp"
 
-#include <array>
-#include <cstdio>
+#include <fmt/core.h>
+
 #include <utility>
 
 namespace markservo::task_operator {
@@ -18,16 +18,8 @@ std::string describe(const TaskReport& task) {
   return with_reason(text, task.reason);
 }
 
-std::string seconds(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g s", value);
-  return text.data();
-}
-
 std::string timed(double time, const std::string& text) {
-  std::array<char, 32> stamp{};
-  std::snprintf(stamp.data(), stamp.size(), "%7.2f s  ", time);
-  return stamp.data() + text;
+  return fmt::format("{:7.2f} s  {}", time, text);
 }
 
 }  // namespace
@@ -125,7 +117,7 @@ std::optional<Ending> Dialogue::task_ending() const {
 
 std::optional<Ending> Dialogue::silence(double now) const {
   const auto too_long = [&](double since) { return now - since >= parameters_.patience; };
-  const std::string within = " within " + seconds(parameters_.patience);
+  const std::string within = fmt::format(" within {:.4g} s", parameters_.patience);
   constexpr const char* kHint = " (it speaks once an image pair: do cameras, detector, locator and servo run?)";
   if (task_answered_) {
     if (!too_long(*task_heard_)) return std::nullopt;

@@ -222,13 +222,14 @@ class Demo {
   CourseClock clock_;
 };
 
-nlohmann::json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+using Json = nlohmann::ordered_json;  // the report begins with what a reader looks for first
+
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
 }
 
-nlohmann::json truth_report(const Course& course, bool truly_lifted) {
-  nlohmann::json json{
-      {"lifted", truly_lifted}, {"height_gain_m", course.lift.highest()}, {"held_s", course.lift.held()}};
+Json truth_report(const Course& course, bool truly_lifted) {
+  Json json{{"lifted", truly_lifted}, {"height_gain_m", course.lift.highest()}, {"held_s", course.lift.held()}};
   if (course.carried) {
     json["carried"] = {{"stands_elsewhere", course.carried->stands_elsewhere},
                        {"released", course.carried->released},
@@ -239,9 +240,8 @@ nlohmann::json truth_report(const Course& course, bool truly_lifted) {
   return json;
 }
 
-nlohmann::json report_of(const ExperimentOptions& options, const Course& course, bool truly_lifted,
-                         const std::vector<double>& latency_ms, const StaleMotionWatch& stale_motion,
-                         const TouchWatch& touch) {
+Json report_of(const ExperimentOptions& options, const Course& course, bool truly_lifted,
+               const std::vector<double>& latency_ms, const StaleMotionWatch& stale_motion, const TouchWatch& touch) {
   const auto& error = course.servo.error;
   const auto stale_phase = stale_motion.phase();
   return {{"seed", options.seed},
@@ -258,9 +258,9 @@ nlohmann::json report_of(const ExperimentOptions& options, const Course& course,
           {"safety",
            {{"moved_on_stale_input_rad", stale_motion.moved()},
             {"stale_s", stale_motion.longest()},  // longest without a fresh command
-            {"stale_phase", stale_phase ? nlohmann::json(task_state_name(*stale_phase)) : nlohmann::json()},
+            {"stale_phase", stale_phase ? Json(task_state_name(*stale_phase)) : Json()},
             {"touched", touch.touched()},  // the first pair; empty: the arm touched nothing
-            {"touched_phase", touch.phase() ? nlohmann::json(task_state_name(*touch.phase())) : nlohmann::json()},
+            {"touched_phase", touch.phase() ? Json(task_state_name(*touch.phase())) : Json()},
             {"moved_at_end_rad", number_or_null(course.moved_at_end)}}},
           {"latency_ms",
            {{"frame_to_command_p50", number_or_null(percentile(latency_ms, 0.50))},
@@ -294,8 +294,7 @@ bool run_demo(const ExperimentOptions& options, const DemoOptions& demo) {
   Demo run(options, demo, *target);
   const Course course = run.run();
   const bool truly_lifted = course.lift.held() >= kLiftedTime;
-  nlohmann::json report = report_of(options, course, truly_lifted, run.latency_ms(), run.stale_motion(), run.touch());
-  report["bus"] = run.counts().report();
+  Json report = report_of(options, course, truly_lifted, run.latency_ms(), run.stale_motion(), run.touch());
   print_table(course, truly_lifted, run.latency_ms());
   bool truly_done = truly_lifted && (!course.carried || course.carried->stands_elsewhere);
   const std::filesystem::path out = options.out;
@@ -307,6 +306,7 @@ bool run_demo(const ExperimentOptions& options, const DemoOptions& demo) {
     write_drive_picture((out / "drive.png").string(), robot, run.drive(), *goal, run.truth());
     truly_done = truly_done && truly_driven(drive);
   }
+  report["bus"] = run.counts().report();  // some hundred lines
   std::ofstream(out / "report.json") << report.dump(2) << "\n";
   return truly_done && course.last.result == TaskState::RESULT_LIFTED;
 }
@@ -321,13 +321,12 @@ int main(int argc, char** argv) {
       [&](const markservo::experiments::ExperimentOptions& options) {
         return markservo::experiments::run_demo(options, demo);
       },
-      [&](void* app) {
-        auto* cli = static_cast<CLI::App*>(app);
-        cli->add_option("--target", demo.target, "The mark of the object to take")->capture_default_str();
-        cli->add_option("--drive", demo.drive, "X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
+      [&](CLI::App& app) {
+        app.add_option("--target", demo.target, "The mark of the object to take")->capture_default_str();
+        app.add_option("--drive", demo.drive, "X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
             ->delimiter(',')
             ->expected(3);
-        cli->add_flag("--carry", demo.carry, "Carry it to the side, release it, go home");
-        cli->add_flag("--lockstep", demo.lockstep, "The simulator runs in lockstep and waits for SIM_CONTROL");
+        app.add_flag("--carry", demo.carry, "Carry it to the side, release it, go home");
+        app.add_flag("--lockstep", demo.lockstep, "The simulator runs in lockstep and waits for SIM_CONTROL");
       });
 }

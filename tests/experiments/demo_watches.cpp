@@ -7,6 +7,8 @@
 #include <markservo/JointState.hpp>
 #include <markservo/TaskState.hpp>
 
+#include "common/geometry/plane_pose.hpp"
+
 namespace markservo::experiments {
 namespace {
 
@@ -63,7 +65,7 @@ CarriedBook judge_carried(const SimBody& before, const SimBody& earlier, const S
   book.still = (vector(last.p_CB) - vector(earlier.p_CB)).norm() < kStill;
   const Eigen::Vector3d up = orientation(before).conjugate() * Eigen::Vector3d::UnitZ();
   const double cosine = std::clamp((orientation(last) * up).z(), -1.0, 1.0);
-  book.tilt_deg = std::acos(cosine) * 180.0 / M_PI;
+  book.tilt_deg = geometry::degrees(std::acos(cosine));
   book.displacement = (vector(last.p_CB) - vector(before.p_CB)).head<2>().norm();
   book.stands_elsewhere = book.released && book.still && book.tilt_deg < kUprightTilt && book.displacement > spacing;
   return book;

@@ -23,6 +23,7 @@ constexpr int kLabelWidth = 95;       // px, on the right
 constexpr double kTagRadius = 0.008;  // m
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 constexpr double kTextScale = 0.45;
+constexpr double kBar = 0.1;  // m, of the scale
 
 Eigen::Isometry2d isometry(const Pose2& pose) {
   return Eigen::Translation2d(pose.x, pose.y) * Eigen::Rotation2Dd(pose.heading);
@@ -69,6 +70,16 @@ class Plan {
 
   void text(const std::string& words, cv::Point place, const cv::Scalar& colour = kInk) {
     cv::putText(image, words, place, kFont, kTextScale, colour, 1, cv::LINE_AA);
+  }
+
+  // A bar of kBar from `left` on, with its length behind.
+  void scale(cv::Point left) {
+    constexpr int kEnds = 4;  // px, either way
+    const cv::Point right = left + cv::Point(pixels(kBar), 0);
+    cv::line(image, left, right, kInk);
+    for (const cv::Point& end : {left, right})
+      cv::line(image, end - cv::Point(0, kEnds), end + cv::Point(0, kEnds), kInk);
+    text("0.1 m", right + cv::Point(6, 4));
   }
 
   static int pixels(double metres) { return static_cast<int>(std::lround(metres * kPixelsPerMetre)); }
@@ -131,6 +142,7 @@ void write_drive_picture(const std::string& path, const robot::RobotDescription&
   plan.text("as ROBOT_POSE told it", {90, 20}, kTold);
   plan.text("goal", {280, 20}, kGoal);
   plan.text("dots: tags in the floor", {340, 20}, cv::Scalar(140, 140, 140));
+  plan.scale({525, 16});
   cv::imwrite(path, plan.image);
 }
 

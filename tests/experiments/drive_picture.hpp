@@ -11,7 +11,7 @@
 namespace markservo::experiments {
 
 // Writes a PNG: the tag field in use, the true way and the one that ROBOT_POSE told, the robot's outline at both ends,
-// the goal, and the marks of `truth` as seen from the way's end. Writes nothing when there was no drive.
+// the goal, the marks of `truth` as seen from the way's end, and a scale. Writes nothing when there was no drive.
 void write_drive_picture(const std::string& path, const robot::RobotDescription& robot, const DriveWatch& drive,
                          const Pose2& goal, const SimTruth& truth);
 

@@ -17,7 +17,6 @@ constexpr std::size_t kRecent = 100;    // 2 s of WHEEL_ODOMETRY
 constexpr double kDockReach = 0.10;     // m: from further off the goal, it did not drive there
 constexpr double kDockHeading = 0.17;   // rad: 10 degrees
 constexpr double kStandsStill = 0.005;  // m
-constexpr double kDegrees = 180.0 / M_PI;
 
 double distance(const Pose2& a, const Pose2& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
@@ -100,7 +99,7 @@ bool truly_driven(const DriveResult& drive) {
 
 nlohmann::json report_of(const DriveResult& drive, const Pose2& goal) {
   const auto number = [](double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); };
-  nlohmann::json report{{"goal_m_m_deg", {goal.x, goal.y, goal.heading * kDegrees}}, {"known", drive.known}};
+  nlohmann::json report{{"goal_m_m_deg", {goal.x, goal.y, geometry::degrees(goal.heading)}}, {"known", drive.known}};
   if (!drive.known) return report;
   report.update({{"truly_driven", truly_driven(drive)},
                  {"drives", drive.drives},
@@ -111,9 +110,9 @@ nlohmann::json report_of(const DriveResult& drive, const Pose2& goal) {
                  {"touched", drive.touched},
                  {"nearest_m", number(drive.nearest)},
                  {"error_m", drive.error.position},
-                 {"error_deg", drive.error.heading * kDegrees},
+                 {"error_deg", geometry::degrees(drive.error.heading)},
                  {"robot_pose_error_m", drive.told_error.position},
-                 {"robot_pose_error_deg", drive.told_error.heading * kDegrees},
+                 {"robot_pose_error_deg", geometry::degrees(drive.told_error.heading)},
                  {"robot_pose_error_mean_m", number(drive.told_mean)},
                  {"robot_pose_error_max_m", number(drive.told_max)}});
   return report;
@@ -129,9 +128,9 @@ std::string words_of(const DriveResult& drive) {
       "  robot pose    off by %.1f cm and %.1f degrees at the end, while driving by %.1f cm in the mean, %.1f cm at "
       "most\n",
       drive.way, drive.seconds, drive.drives, drive.drives == 1 ? "" : "s", 1e2 * drive.error.position,
-      drive.error.heading * kDegrees, drive.touched ? "touched something" : "touched nothing", 1e2 * drive.nearest,
-      1e2 * drive.told_error.position, drive.told_error.heading * kDegrees, 1e2 * drive.told_mean,
-      1e2 * drive.told_max);
+      geometry::degrees(drive.error.heading), drive.touched ? "touched something" : "touched nothing",
+      1e2 * drive.nearest, 1e2 * drive.told_error.position, geometry::degrees(drive.told_error.heading),
+      1e2 * drive.told_mean, 1e2 * drive.told_max);
   return text;
 }
 

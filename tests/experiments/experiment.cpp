@@ -18,7 +18,7 @@ std::string sibling_executable(const std::string& name) {
 
 int run_experiment(const std::string& description, int default_trials, int argc, char** argv,
                    const std::function<bool(const ExperimentOptions&)>& body,
-                   const std::function<void(void* app)>& add_options) {
+                   const std::function<void(CLI::App& app)>& add_options) {
   ExperimentOptions options;
   options.trials = default_trials;
   options.lcm_url = bus::kDefaultUrl;
@@ -29,7 +29,7 @@ int run_experiment(const std::string& description, int default_trials, int argc,
   app.add_option("--robot-file", options.robot_file, "The robot's description")->capture_default_str();
   app.add_option("--scene", options.scene, "The simulated scene")->capture_default_str();
   app.add_option("--lcm-url", options.lcm_url, "LCM bus")->envname("MARKSERVO_LCM_URL")->capture_default_str();
-  if (add_options) add_options(&app);
+  if (add_options) add_options(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {

@@ -12,6 +12,10 @@
 #include "common/robot/robot_description.hpp"
 #include "tests/experiments/child_process.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace markservo::experiments {
 
 struct ExperimentOptions {
@@ -23,11 +27,12 @@ struct ExperimentOptions {
   std::string lcm_url;
 };
 
-// Parses `argc`, `argv` (--trials, --seed, --out, --robot-file, --scene, --lcm-url) and runs `body`; exit code 0 if it
-// returns true (every bar met), 1 if false, 2 for bad options or settings, 3 if the rig fails.
+// Parses `argc`, `argv` (--trials, --seed, --out, --robot-file, --scene, --lcm-url, and what `add_options` adds) and
+// runs `body`; exit code 0 if it returns true (every bar met), 1 if false, 2 for bad options or settings, 3 if the rig
+// fails.
 int run_experiment(const std::string& description, int default_trials, int argc, char** argv,
                    const std::function<bool(const ExperimentOptions&)>& body,
-                   const std::function<void(void* app)>& add_options = {});
+                   const std::function<void(CLI::App& app)>& add_options = {});
 
 // The services of an experiment, found beside its own executable, each with its log in `options.out`.
 class Services {

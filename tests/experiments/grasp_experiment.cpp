@@ -195,11 +195,9 @@ int main(int argc, char** argv) {
       [&](const markservo::experiments::ExperimentOptions& options) {
         return markservo::experiments::experiment(options, only, set);
       },
-      [&](void* app) {
-        auto* cli = static_cast<CLI::App*>(app);
-        cli->add_option("--cell", only,
-                        "Only this cell: X,Y,BOOK in metres and L, C or R of the middle book's position")
+      [&](CLI::App& app) {
+        app.add_option("--cell", only, "Only this cell: X,Y,BOOK in metres and L, C or R of the middle book's position")
             ->delimiter(',');
-        cli->add_option("--set", set, "Simulator setting of every trial, name=value");
+        app.add_option("--set", set, "Simulator setting of every trial, name=value");
       });
 }

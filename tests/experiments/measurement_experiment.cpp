@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "common/bus/safe_decode.hpp"
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/arm_kinematics.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/workspace.hpp"
@@ -57,7 +58,7 @@ struct Errors {
 bool whole_mark_in_view(const robot::CameraDescription& cameras, const Place& place, double height, double size) {
   Eigen::Isometry3d X_CT = Eigen::Isometry3d::Identity();
   X_CT.translation() << place.x, place.y, height;
-  X_CT.linear() = Eigen::AngleAxisd(place.slant_deg * M_PI / 180.0, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  X_CT.linear() = Eigen::AngleAxisd(geometry::radians(place.slant_deg), Eigen::Vector3d::UnitZ()).toRotationMatrix();
   return robot::view_margin_px(cameras, X_CT, size) >= kViewMargin_px;
 }
 
@@ -107,9 +108,9 @@ std::vector<Sample> take_samples(const ExperimentOptions& options, const robot::
       Rig::Settings settings{{"books.x", place.x}, {"books.y", place.y}, {"books.slant_deg", place.slant_deg}};
       const auto q = hand_beside(robot, target, hand, place, height);
       if (q) {
-        settings.emplace_back("arm.start_yaw_deg", (*q)[0] * 180.0 / M_PI);
-        settings.emplace_back("arm.start_shoulder_deg", (*q)[1] * 180.0 / M_PI);
-        settings.emplace_back("arm.start_elbow_deg", (*q)[2] * 180.0 / M_PI);
+        settings.emplace_back("arm.start_yaw_deg", geometry::degrees((*q)[0]));
+        settings.emplace_back("arm.start_shoulder_deg", geometry::degrees((*q)[1]));
+        settings.emplace_back("arm.start_elbow_deg", geometry::degrees((*q)[2]));
       }
       rig.reset(options.seed + trial, settings);
       for (int frame = 0; frame < kFrames; ++frame) {

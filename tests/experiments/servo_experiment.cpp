@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/arm_kinematics.hpp"
 #include "common/robot/workspace.hpp"
 #include "tests/experiments/experiment.hpp"
@@ -86,10 +87,6 @@ Start draw_start(const robot::RobotDescription& robot, double mark_height, doubl
   throw std::runtime_error("no start 15 cm from a goal with the hand in view; is robot.yaml's geometry sound?");
 }
 
-double degrees(double radians) {
-  return radians * 180.0 / M_PI;
-}
-
 Trial run_trial(Rig& rig, const robot::RobotDescription& robot, const std::string& target, const Start& start,
                 const Servos& servos, int delay_frames, int64_t seed) {
   rig.reset(seed, {{"books.x", start.book.x()},
@@ -98,9 +95,9 @@ Trial run_trial(Rig& rig, const robot::RobotDescription& robot, const std::strin
                    {"servo.deadband_kind", static_cast<double>(seed % 2)},
                    {"servo.backlash_deg", servos.backlash_deg},
                    {"servo.delay_frames", delay_frames},
-                   {"arm.start_yaw_deg", degrees(start.q[0])},
-                   {"arm.start_shoulder_deg", degrees(start.q[1])},
-                   {"arm.start_elbow_deg", degrees(start.q[2])}});
+                   {"arm.start_yaw_deg", geometry::degrees(start.q[0])},
+                   {"arm.start_shoulder_deg", geometry::degrees(start.q[1])},
+                   {"arm.start_elbow_deg", geometry::degrees(start.q[2])}});
   rig.unlatch([&] { return rig.servo_answered(); });
   for (int i = 0; i < 3; ++i) rig.step([&] { return rig.servo_answered(); });
   ServoGoal goal{};
@@ -202,9 +199,8 @@ int main(int argc, char** argv) {
       [&](const markservo::experiments::ExperimentOptions& options) {
         return markservo::experiments::experiment(options, laws);
       },
-      [&](void* app) {
-        static_cast<CLI::App*>(app)
-            ->add_option("--law", laws, "Laws to try")
+      [&](CLI::App& app) {
+        app.add_option("--law", laws, "Laws to try")
             ->delimiter(',')
             ->check(CLI::IsMember({"resolved-rate", "paper"}))
             ->capture_default_str();

@@ -1,6 +1,13 @@
 # shellcheck shell=bash
 # What the tests that are scripts share: they state what they expect, and count what fails. To be sourced.
 
+# As scripts/lib/project.sh: numbers and times have a point, whatever the language of who is here.
+if [[ -n ${LC_ALL-} ]]; then
+  export LANG=$LC_ALL
+  unset LC_ALL
+fi
+export LC_NUMERIC=C
+
 failures=0
 
 # A command that ends the test, where nothing was expected of it, is said.

@@ -9,6 +9,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "common/geometry/plane_pose.hpp"
 #include "tests/scenes/mark_stage.hpp"
 #include "tests/scenes/observation.hpp"
 
@@ -90,7 +91,7 @@ bool hide(const robot::RobotDescription& robot, const HidingParameters& paramete
   const double depth = scene.mark.centre.y() - draw.between(parameters.gap_min, parameters.gap_max);
   const double angle = draw.between(-kPi, kPi);
   result.finger = draw.chance(0.4);
-  result.edge_deg = angle * 180.0 / kPi;
+  result.edge_deg = geometry::degrees(angle);
   Surface thing;
   // Its z axis points to where it comes from, its lower end hides.
   thing.axes = Eigen::AngleAxisd(0.5 * kPi - angle, Eigen::Vector3d::UnitY()).toRotationMatrix();

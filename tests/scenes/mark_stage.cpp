@@ -5,12 +5,13 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
+#include "common/geometry/plane_pose.hpp"
 #include "tests/scenes/clutter.hpp"
 
 namespace markservo::scenes {
 namespace {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
+constexpr double kRadPerDeg = geometry::radians(1.0);
 constexpr int kMargin_px = 14;  // about the mark's box: a patch's and the background that an outline is held against
 constexpr int kBlurReach_px = 3;
 

@@ -2,14 +2,15 @@
 
 #include <cmath>
 
+#include "common/geometry/plane_pose.hpp"
 #include "common/robot/configuration_error.hpp"
 
 namespace markservo::experiments {
 namespace {
 
 constexpr double kBoundRatio = 1.3;
-constexpr double kHeadingBar = 2.0 * M_PI / 180.0;  // rad
-constexpr int kStressTrials = 2;                    // times the others': divergence is rare where it happens at all
+constexpr double kHeadingBar = geometry::radians(2.0);  // rad
+constexpr int kStressTrials = 2;                        // times the others': divergence is rare where it happens at all
 constexpr double kStressRatio = 1.5;
 constexpr double kMostNotLocalised = 0.02;  // NEES judges the other samples only
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "common/geometry/plane_pose.hpp"
 #include "tests/experiments/localisation/read_information.hpp"
 #include "tests/experiments/localisation/true_path.hpp"
 
@@ -26,9 +27,9 @@ struct BoundPrior {
 
 // How the encoders err, as the simulated base has it: one scale for the whole run, and random walks with the way.
 struct EncoderNoise {
-  double scale_sigma = 0.02;                  // of way and turn alike
-  double heading_drift = 2.0 * M_PI / 180.0;  // rad/sqrt(m)
-  double along = 0.0;                         // m/sqrt(m): drift * track / 2 of two wheels that err on their own
+  double scale_sigma = 0.02;                      // of way and turn alike
+  double heading_drift = geometry::radians(2.0);  // rad/sqrt(m)
+  double along = 0.0;                             // m/sqrt(m): drift * track / 2 of two wheels that err on their own
 };
 
 // How a base without encoders may move: its velocity drifts by white acceleration, and is unknown at first.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/geometry/plane_pose.hpp"
 #include "tests/experiments/statistics.hpp"
 
 namespace markservo::experiments {
@@ -11,7 +12,6 @@ namespace {
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kCentimetres = 100.0;
-constexpr double kDegrees = 180.0 / M_PI;
 
 // A covariance that is right scores 3; the run's samples are few and alike, and a mixture is not one Gaussian.
 constexpr double kLeastNees = 2.0;
@@ -63,7 +63,8 @@ std::vector<Verdict> verdicts(const CaseResult& result, std::optional<double> ha
     list.push_back(at_most("ours over the undisturbed hall", mean(ours.settled) / *hall_mean, *bars.hall_ratio, ""));
   }
   if (bars.heading_mean) {
-    list.push_back(at_most("mean heading error", kDegrees * mean(ours.heading), kDegrees * *bars.heading_mean, "deg"));
+    list.push_back(at_most("mean heading error", geometry::degrees(mean(ours.heading)),
+                           geometry::degrees(*bars.heading_mean), "deg"));
   }
   if (bars.delay_error) {
     list.push_back(at_most("mean error of the delay", 1e3 * mean(result.delay_errors), 1e3 * *bars.delay_error, "ms"));

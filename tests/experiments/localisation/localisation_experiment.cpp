@@ -98,7 +98,5 @@ int main(int argc, char** argv) {
   return run_experiment(
       "The robot's pose from floor tags and encoders: ours, the paper's method and the Fisher bound", 50, argc, argv,
       [&names](const ExperimentOptions& options) { return experiment(options, names); },
-      [&names](void* app) {
-        static_cast<CLI::App*>(app)->add_option("--case", names, "One case, by name; may be repeated; default: all");
-      });
+      [&names](CLI::App& app) { app.add_option("--case", names, "One case, by name; may be repeated; default: all"); });
 }

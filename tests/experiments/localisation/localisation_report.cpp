@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "common/geometry/plane_pose.hpp"
 #include "tests/experiments/localisation/localisation_bars.hpp"
 #include "tests/experiments/statistics.hpp"
 
@@ -16,7 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kCentimetres = 100.0;
-constexpr double kDegrees = 180.0 / M_PI;
 
 // Average, maximum, minimum, cm (paper, table 2).
 struct PaperRow {
@@ -118,7 +118,7 @@ void print_cases(const std::vector<CaseResult>& results) {
     if (ours.heading.empty()) {
       std::printf("%-12s ", "     -");
     } else {
-      std::printf("%5.2f / %4.2f ", kDegrees * mean(ours.heading), kDegrees * mean(ours.bound_heading));
+      std::printf("%5.2f / %4.2f ", geometry::degrees(mean(ours.heading)), geometry::degrees(mean(ours.bound_heading)));
     }
     std::printf("%5.2f %5.1f%% %4d%s\n", mean(ours.nees), 100.0 * ours.not_localised_share(), ours.diverged,
                 result.the_case.bars.none() ? "  reported only" : "");

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "common/geometry/plane_pose.hpp"
 #include "services/simulator/random.hpp"
 #include "tests/experiments/localisation/field_box.hpp"
 #include "tests/experiments/localisation/fisher_bound.hpp"
@@ -17,9 +18,9 @@ namespace {
 
 constexpr std::uint64_t kHeadingStream = 0xC2;
 constexpr std::uint64_t kDelayStream = 0xC3;
-constexpr double kStartHeadingSigma = 2.0 * M_PI / 180.0;  // rad
-constexpr double kLeastDelay = 0.13;                       // s, of those that a case draws
-constexpr double kGreatestDelay = 0.25;                    // s
+constexpr double kStartHeadingSigma = geometry::radians(2.0);  // rad
+constexpr double kLeastDelay = 0.13;                           // s, of those that a case draws
+constexpr double kGreatestDelay = 0.25;                        // s
 // s^2, of the uniform distribution that they are drawn from: the bound knows that, whatever the localizer is told.
 constexpr double kDrawnDelayVariance = (kGreatestDelay - kLeastDelay) * (kGreatestDelay - kLeastDelay) / 12.0;
 constexpr double kSameTime = 1e-7;     // s: times are whole microseconds

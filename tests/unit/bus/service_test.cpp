@@ -18,6 +18,7 @@ class OneSetting : public Service {
   void add_options(CLI::App& app) override {
     app.add_option("--gain", gain, "A gain")->capture_default_str();
     app.add_option("--word", words, "Words");
+    app.add_option("--count", count, "A whole number")->check(CLI::Range(-1000, 1000))->capture_default_str();
   }
   void configure(const std::string&) override {
     if (gain < 0.0) throw ConfigurationError("gain is negative; allowed: 0 or more");
@@ -30,6 +31,7 @@ class OneSetting : public Service {
   void run(Bus& bus) override { state = bus.status().state; }
   double gain = 0.5;
   std::vector<std::string> words;
+  int count = 7;
   bool waits = false;
   bool started = false;
   std::string state;
@@ -135,6 +137,22 @@ TEST_F(ServiceMain, RefusesAWrongTypeAndABadValueInOneLine) {
   EXPECT_EQ(std::count(errors_.begin(), errors_.end(), '\n'), 1);
   EXPECT_EQ(run({"--gain", "-1"}), kExitBadConfiguration);
   EXPECT_NE(errors_.find("negative"), std::string::npos);
+}
+
+TEST_F(ServiceMain, TakesWholeNumbersAsPeopleWriteThem) {
+  for (const char* number : {"0640", "0x40", "-010", "+", "1.5"}) {
+    EXPECT_EQ(run({"--count", number, "--check"}), kExitBadConfiguration) << number;
+    EXPECT_EQ(service_.count, 7) << number;
+  }
+  write_config("count=0640\n");
+  EXPECT_EQ(run({"--config", file_.string(), "--check"}), kExitBadConfiguration);
+  EXPECT_NE(errors_.find("--count: '0640'; allowed: a whole number, without zeros before it"), std::string::npos)
+      << errors_;
+  write_config("count=-640\n");
+  EXPECT_EQ(run({"--config", file_.string(), "--check"}), kExitStopped) << errors_;
+  EXPECT_EQ(service_.count, -640);
+  EXPECT_EQ(run({"--count", "0", "--check"}), kExitStopped) << errors_;
+  EXPECT_EQ(service_.count, 0);
 }
 
 TEST_F(ServiceMain, EndsWithThreeWithoutABus) {

@@ -86,5 +86,15 @@ TEST(CsvColumns, GiveEveryFieldAColumnAndQuoteWhatNeedsIt) {
   EXPECT_EQ(columns.row(8, other), "8,2,,\"a,\"\"b\"\"\"\n");
 }
 
+TEST(CsvColumns, WriteANumberThatHasANameByItsName) {
+  reflection::Field field;
+  field.value_names = {"HOLD", "SERVO"};
+  CsvColumns columns;
+  columns.learn({{"state", {std::int64_t{0}}, &field}});
+  EXPECT_EQ(columns.row(7, {{"state", {std::int64_t{1}}, &field}}), "7,SERVO\n");
+  EXPECT_EQ(columns.row(7, {{"state", {std::int64_t{2}}, &field}}), "7,2\n");
+  EXPECT_EQ(columns.row(7, {{"state", {std::int64_t{-1}}, &field}}), "7,-1\n");
+}
+
 }  // namespace
 }  // namespace markservo::log_tool

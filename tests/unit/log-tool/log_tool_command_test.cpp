@@ -84,6 +84,22 @@ TEST_F(LogTool, ShowsTypesThatItDoesNotKnowByFingerprintAndSize) {
   EXPECT_NE(run("info " + path("log")).output.find("TARGET_POSE  TargetPose"), std::string::npos);
 }
 
+TEST_F(LogTool, ExplainsTheWordsOfItsTableWhereTheyStand) {
+  const auto pose = [](std::int64_t number, std::int64_t utime, std::int64_t session, std::int64_t seq) {
+    return OwnedEvent{number, 1000 * number, "TARGET_POSE", payload(target_pose(utime, session, seq))};
+  };
+  const auto explains = [&](const std::vector<OwnedEvent>& events, const std::string& word) {
+    write("log", log_bytes(events));
+    return run("info " + path("log")).output.find("\n\n" + word + ": ") != std::string::npos;
+  };
+  for (const char* word : {"lost", "sessions", "back in time"}) {
+    EXPECT_FALSE(explains({pose(1, 1000, 7, 1), pose(2, 2000, 7, 2)}, word)) << word;
+  }
+  EXPECT_TRUE(explains({pose(1, 1000, 7, 1), pose(2, 2000, 7, 3), pose(3, 3000, 7, 4)}, "lost"));
+  EXPECT_TRUE(explains({pose(1, 1000, 7, 1), pose(2, 2000, 8, 1)}, "sessions"));
+  EXPECT_TRUE(explains({pose(1, 2000, 7, 1), pose(2, 1000, 7, 2)}, "back in time"));
+}
+
 TEST_F(LogTool, RepairsALogSoThatLiblcmReadsItToItsEnd) {
   bytes_[log_bytes({events_[0], events_[1]}).size() + 2] ^= 1;
   write("damaged", bytes_);

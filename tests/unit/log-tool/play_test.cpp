@@ -117,6 +117,14 @@ TEST(PlayPlan, HasAllWhenAllIsAskedFor) {
   EXPECT_EQ(plan_of(views(events), all(), reflection::TypeCatalog::ours()).events.size(), 4U);
 }
 
+TEST(PlayPlan, IsGivenUpAsSoonAsItIsTold) {
+  const auto events = disguised();
+  int asked = 0;
+  const PlayPlan plan =
+      plan_of(views(events), all(), reflection::TypeCatalog::ours(), [&asked] { return ++asked < 3; });
+  EXPECT_EQ(plan.events.size(), 2U);
+}
+
 TEST(PlayPlan, SaysWhatIsLeftOutAndWhatPlaysIt) {
   auto events = disguised();
   events.push_back({4, 5, "A\x1b]0;", "?"});

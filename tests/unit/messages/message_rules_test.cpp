@@ -52,7 +52,8 @@ TEST(StereoFrameRules, RefuseImpossibleSizesAndCalibrations) {
   for (const double baseline : {0.0, -0.065, std::nan("")}) {
     auto frame = small_frame();
     frame.calibration.baseline = baseline;
-    EXPECT_NE(violation(frame), "");
+    const char* field = std::isnan(baseline) ? "calibration is not finite" : "calibration.baseline is ";
+    EXPECT_EQ(violation(frame).rfind(field, 0), 0U) << violation(frame);
   }
   auto frame = small_frame();
   frame.encoding = 9;
@@ -81,7 +82,7 @@ TEST(JointCommandRules, RefuseWhatAnArmMustNotTry) {
   EXPECT_NE(violation(command).find("speed_limit"), std::string::npos);
   command.speed_limit = {1.0};
   command.position = {INFINITY};
-  EXPECT_NE(violation(command), "");
+  EXPECT_EQ(violation(command), "a joint's value is not finite; allowed: finite numbers");
   command.position = {0.1};
   command.gripper_opening = -0.01;
   EXPECT_NE(violation(command).find("gripper_opening"), std::string::npos);
@@ -92,8 +93,9 @@ TEST(TargetPoseRules, RefuseAPositionThatIsNotANumberAndANegativeVariance) {
   pose.num_marks = 1;
   pose.marks.resize(1);
   EXPECT_EQ(violation(pose), "");
+  pose.marks[0].name = "red_book";
   pose.marks[0].p_C.y = std::nan("");
-  EXPECT_NE(violation(pose), "");
+  EXPECT_EQ(violation(pose), "mark red_book: p_C is nan; allowed: -10000 to 10000 m");
   pose.marks[0].p_C.y = 0.3;
   pose.marks[0].covariance.yy = -1.0;
   EXPECT_NE(violation(pose).find("covariance"), std::string::npos);
@@ -138,6 +140,14 @@ TEST(SonarScanRules, RefuseRangesThatNoSonarHas) {
   scan.max_range = 10'000.0;
   EXPECT_NE(violation(scan).find("is 10000;"), std::string::npos) << violation(scan);
   EXPECT_NE(violation(scan).find("up to 100 m"), std::string::npos) << violation(scan);
+}
+
+TEST(SonarScanRules, NameTheRangeThatIsRefused) {
+  auto scan = sonar_scan();
+  scan.min_range = -0.1;
+  EXPECT_EQ(violation(scan), "min_range is -0.1; allowed: 0 m or more");
+  scan.min_range = scan.max_range;
+  EXPECT_EQ(violation(scan), "max_range is 5; allowed: above min_range, up to 100 m");
 }
 
 TEST(SonarScanRules, RefuseABeamWiderThanAWholeTurn) {

@@ -46,6 +46,38 @@ TEST(LcmLanguage, UnderstandsCommentsConstantsListsOfFieldsAndConstantSizes) {
   EXPECT_EQ(types[0].fields[4].type_name, "c.third_t");
 }
 
+TEST(LcmLanguage, GivesEachRowOfConstantsThatCountsFromZeroToOneField) {
+  const auto types = parse_types(
+      "struct s { const int32_t MOST = 9; const int8_t A = 0; const int8_t B = 1; const int8_t X = 0, Y = 1, Z = 2;\n"
+      "int8_t list[2]; int32_t n; int8_t first; int8_t second; int8_t third; const double C = -0.5; }",
+      "test");
+  std::vector<std::vector<std::string>> names;
+  for (const Field& field : types.at(0).fields) names.push_back(field.value_names);
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names, (std::vector<Names>{{}, {}, Names{"A", "B"}, Names{"X", "Y", "Z"}, {}}));
+}
+
+const std::string& name_of_value(const char* type, const char* field, std::int8_t value) {
+  for (const Field& one : TypeCatalog::ours().find(std::string(type))->fields) {
+    if (one.name == field) return one.value_names.at(static_cast<std::size_t>(value));
+  }
+  throw std::invalid_argument(field);
+}
+
+TEST(LcmLanguage, NamesTheProjectsStatesAsTheirConstantsAreCalled) {
+  EXPECT_EQ(name_of_value("LocatedMark", "role", DetectedMark::ROLE_MANIPULATOR), "ROLE_MANIPULATOR");
+  EXPECT_EQ(name_of_value("LocatedMark", "status", LocatedMark::SEEN_BY_ONE), "SEEN_BY_ONE");
+  EXPECT_EQ(name_of_value("BaseGoal", "kind", BaseGoal::DRIVE), "DRIVE");
+  EXPECT_EQ(name_of_value("BaseGoal", "frame", BaseGoal::ROBOT), "ROBOT");
+  EXPECT_EQ(name_of_value("TaskState", "state", TaskState::HOLD_LIFTED), "HOLD_LIFTED");
+  EXPECT_EQ(name_of_value("TaskState", "result", TaskState::RESULT_FAILED), "RESULT_FAILED");
+  for (const MessageType* type : TypeCatalog::ours().all()) {
+    for (const Field& field : type->fields) {
+      EXPECT_TRUE(field.kind != Kind::kInt8 || !field.value_names.empty()) << type->name << "." << field.name;
+    }
+  }
+}
+
 std::string complaint(const std::string& text) {
   try {
     TypeCatalog(parse_types(text, "x.lcm"));

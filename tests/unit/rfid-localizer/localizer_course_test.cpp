@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/plane_pose.hpp"
 #include "tests/unit/rfid-localizer/drive.hpp"
 
 namespace markservo::rfid_localizer {
@@ -12,7 +13,7 @@ namespace {
 
 using namespace test;
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kDegree = geometry::radians(1.0);
 constexpr int kSeeds = 8;
 
 DriveSettings on_the_course(int seed) {

@@ -4,11 +4,13 @@
 
 #include <cmath>
 
+#include "common/geometry/plane_pose.hpp"
+
 namespace markservo::rfid_localizer {
 namespace {
 
 constexpr std::int64_t kRound = 100'000;  // us
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kDegree = geometry::radians(1.0);
 
 Eigen::Vector2d along(double angle, double way) {
   return way * Eigen::Vector2d(std::cos(angle), std::sin(angle));

@@ -4,10 +4,12 @@
 
 #include <cmath>
 
+#include "common/geometry/plane_pose.hpp"
+
 namespace markservo::robot {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kDegree = geometry::radians(1.0);
 
 class ArmKinematics : public ::testing::Test {
  protected:
@@ -63,6 +65,22 @@ TEST_F(ArmKinematics, InverseSaysWhyNot) {
   const Eigen::Vector3d a_little_back = stretched - 1e-5 * (stretched - arm_.p_CA).normalized();
   EXPECT_EQ(inverse_kinematics(arm_, a_little_back, 0.0).status, ReachStatus::kReachable);
   EXPECT_EQ(inverse_kinematics(arm_, a_little_back, 5.0 * kDegree).status, ReachStatus::kTooFar);
+}
+
+TEST_F(ArmKinematics, SaysWithNumbersWhyThereIsNoInverse) {
+  EXPECT_EQ(why_unreachable(arm_, {0.0325, 0.30, 0.0}, 0.0), "");
+  arm_.forearm = 0.15;
+  const Eigen::Vector3d p_CS = arm_.p_CA + Eigen::Vector3d(0.0, 0.0, arm_.column);
+  EXPECT_EQ(why_unreachable(arm_, p_CS + Eigen::Vector3d(0.0, 0.5, 0.0), 90.0 * kDegree),
+            "beyond the arm's reach: 0.500 m from the shoulder; allowed: 0.050 to 0.250 m");
+  EXPECT_EQ(why_unreachable(arm_, p_CS + Eigen::Vector3d(0.0, 0.0, 0.03), 0.0),
+            "too close to the arm's column: 0.030 m from the shoulder; allowed: 0.050 to 0.350 m");
+  EXPECT_EQ(why_unreachable(arm_, grip_point(arm_, {100.0 * kDegree, 0.5, -0.5}), 5.0 * kDegree),
+            "beyond the yaw joint's limit: 100.0 degrees; allowed: -85.0 to 85.0 degrees");
+  EXPECT_EQ(why_unreachable(arm_, grip_point(arm_, {0.0, -10.0 * kDegree, -0.5}), 5.0 * kDegree),
+            "beyond the shoulder joint's limit: -10.0 degrees; allowed: 0.0 to 155.0 degrees");
+  EXPECT_EQ(why_unreachable(arm_, grip_point(arm_, {0.0, 100.0 * kDegree, -158.0 * kDegree}), 5.0 * kDegree),
+            "beyond the elbow joint's limit: -158.0 degrees; allowed: -155.0 to -5.0 degrees");
 }
 
 TEST_F(ArmKinematics, HandMarkTurnsWithTheForearm) {

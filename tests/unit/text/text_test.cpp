@@ -53,6 +53,13 @@ TEST(Text, ThatIsNotUtf8MayNotStand) {
   }
 }
 
+TEST(Text, IsADecimalNumberAsPeopleWriteIt) {
+  for (const char* number : {"0", "7", "640", "-640", "+3", "-0"}) EXPECT_TRUE(is_decimal(number)) << number;
+  for (const char* other : {"", "-", "+-1", "0640", "-010", "00", "0x10", "1.5", "1e3", " 1", "one"}) {
+    EXPECT_FALSE(is_decimal(other)) << other;
+  }
+}
+
 TEST(Text, RefusalSaysWhatAndWhere) {
   EXPECT_EQ(violation("reason", "no\x1b"),
             "reason holds \\x1b at byte 2; allowed: UTF-8 without control characters and marks of direction");
