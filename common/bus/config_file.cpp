@@ -32,7 +32,7 @@ std::vector<std::string> values_of(const std::string& text) {
 }  // namespace
 
 std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const {
-  std::vector<CLI::ConfigItem> items;
+  std::vector<CLI::ConfigItem> settings;
   std::map<std::string, int> lines;
   int number = 0;
   const std::string file = app_->get_config_ptr() != nullptr ? app_->get_config_ptr()->as<std::string>() : "";
@@ -59,14 +59,14 @@ std::vector<CLI::ConfigItem> ConfigFile::from_config(std::istream& input) const 
     if (value.empty()) fail("key '" + item.name + "' has no value; allowed: one, or no such line");
     if (value == "\"\"") continue;  // as --print-config writes what is not set
     const auto earlier =
-        std::find_if(items.begin(), items.end(), [&item](const auto& one) { return one.name == item.name; });
-    if (earlier != items.end()) {
+        std::find_if(settings.begin(), settings.end(), [&item](const auto& one) { return one.name == item.name; });
+    if (earlier != settings.end()) {
       earlier->inputs.insert(earlier->inputs.end(), item.inputs.begin(), item.inputs.end());
     } else {
-      items.push_back(item);
+      settings.push_back(item);
     }
   }
-  return items;
+  return settings;
 }
 
 }  // namespace markservo::bus
