@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +17,9 @@ class MessageSink {
   // False if the network refused the bytes, which is counted; they are not kept.
   virtual bool send(const std::string& full_channel, const void* data, std::size_t size) = 0;
 };
+
+// Throws std::invalid_argument that names the channel and why.
+[[noreturn]] void refuse_to_publish(const std::string& channel, const std::string& why);
 
 // Sends one type on one channel; gives streams their session and seq.
 template <class M>
@@ -35,12 +37,10 @@ class Publisher {
       message.seq = seq_ + 1;
     }
     messages::clean_texts(message);
-    if (const std::string why = messages::broken_rule(message); !why.empty()) {
-      throw std::invalid_argument("publish on " + channel_ + ": " + why);
-    }
+    if (const std::string why = messages::broken_rule(message); !why.empty()) refuse(why);
     buffer_.resize(static_cast<std::size_t>(message.getEncodedSize()));
     const int size = message.encode(buffer_.data(), 0, static_cast<int>(buffer_.size()));
-    if (size < 0) throw std::invalid_argument("publish on " + channel_ + ": a length field disagrees with its vector");
+    if (size < 0) refuse("a length field disagrees with its vector");
     sink_->send(channel_, buffer_.data(), static_cast<std::size_t>(size));
     ++seq_;
   }
@@ -51,6 +51,8 @@ class Publisher {
   int64_t session() const { return session_; }
 
  private:
+  [[noreturn]] void refuse(const std::string& why) const { refuse_to_publish(channel_, why); }
+
   MessageSink* sink_;
   std::string channel_;
   int64_t session_;

@@ -1,13 +1,14 @@
 #pragma once
 
 // One subscribed channel: raw bytes in, checked messages out, everything counted. Used by Bus only.
+//
+// What needs no type is in subscription.cpp: every file that subscribes compiles the rest for each of its types.
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
+#include <exception>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -60,111 +61,90 @@ class Subscription {
  protected:
   void note_arrival() { host_->note_traffic(); }
   void note_accepted() { ++counters_.received; }
-  void note_worked_on() { accepted_at_ = std::chrono::steady_clock::now(); }
-  void fail_to_decode(const std::string& why) {
-    ++counters_.decode_failures;
-    note_refusal(why);
-  }
-  void refuse(const std::string& why) {
-    ++counters_.refused;
-    note_refusal(why);
-  }
+  void note_worked_on();
+  void fail_to_decode(const std::string& why);
+  void refuse(const std::string& why);
 
   SubscriptionHost* host_;
   std::string channel_;
   ChannelCounters counters_;
 
  private:
-  void note_refusal(const std::string& why) {
-    refused_at_ = std::chrono::steady_clock::now();
-    refusal_ = why;
-    host_->complain(channel_, why);
-  }
+  void note_refusal(const std::string& why);
 
   std::optional<Time> accepted_at_;
   std::optional<Time> refused_at_;
   std::string refusal_;
 };
 
-// "3600 s" or "0.25 s": as coarse as it may be told again and again.
-inline std::string ahead_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, seconds < 10.0 ? "%.2g s" : "%.0f s", seconds);
-  return text;
-}
-
 enum class Delivery {
   kLatest,  // last wins on a live bus: older messages that wait are skipped and counted
   kEach,    // every message, in order of arrival
 };
 
+// Checks, counts and orders messages of a type that its subclass knows: one that comes in, and one that waits.
+class MessageSubscription : public Subscription {
+ public:
+  MessageSubscription(SubscriptionHost* host, std::string channel, Delivery delivery, bool exclusive)
+      : Subscription(host, std::move(channel)), delivery_(delivery), exclusive_(exclusive) {}
+
+  void receive(const void* data, std::size_t size) final;
+  void dispatch() final;
+
+ protected:
+  // Of the message that comes in: decodes it, and says why not; as message_rules.hpp has it; gives its memory back.
+  virtual std::string decode(const void* data, std::size_t size) = 0;
+  virtual bool mend_if_it_must_be_obeyed() = 0;
+  virtual std::string broken_rule() const = 0;
+  virtual messages::Identity identity() const = 0;
+  virtual void forget() = 0;
+  // It is the one that waits from now on.
+  virtual void let_wait() = 0;
+  // Hands the one that waits to the handler.
+  virtual void hand_over() = 0;
+
+ private:
+  void accept(bool from_the_future);
+
+  Delivery delivery_;
+  bool exclusive_;
+  bool waits_ = false;
+  std::int64_t waiting_utime_ = 0;
+  bool on_time_line_ = false;  // the one that waits
+};
+
 template <class M>
-class TypedSubscription final : public Subscription {
+class TypedSubscription final : public MessageSubscription {
  public:
   using Handler = std::function<void(const M&)>;
 
   TypedSubscription(SubscriptionHost* host, std::string channel, Delivery delivery, bool exclusive, Handler handler)
-      : Subscription(host, std::move(channel)),
-        delivery_(delivery),
-        exclusive_(exclusive),
-        handler_(std::move(handler)) {}
+      : MessageSubscription(host, std::move(channel), delivery, exclusive), handler_(std::move(handler)) {}
 
-  void receive(const void* data, std::size_t size) override {
-    note_arrival();
-    M message = std::move(spare_);
-    if (const std::string why = decode_into(message, data, size); !why.empty()) {
-      spare_ = M{};  // what a bad message claimed to need is given back
-      return fail_to_decode(why);
-    }
-    const bool obeyed = messages::mend_if_it_must_be_obeyed(message);
-    if (const std::string why = obeyed ? "" : messages::broken_rule(message); !why.empty()) return refuse(why);
-    const double ahead = host_->ahead_of_clock(message.utime);
-    if (ahead > 0.0 && !obeyed) {
-      return refuse("utime is " + ahead_text(ahead) + " ahead of this host's clock; allowed: at most 20 ms");
-    }
-    accept(std::move(message), ahead > 0.0);
-  }
+ private:
+  static_assert(messages::has_utime<M>::value, "a message needs the time of what it tells, int64_t utime (us)");
 
-  void dispatch() override {
-    if (!waiting_) return;
-    M message = std::move(*waiting_);
-    waiting_.reset();
-    if (on_time_line_) {
-      counters_.latency.add(1e-6 * static_cast<double>(host_->newest_utime() - message.utime),
-                            std::chrono::steady_clock::now());
-    }
+  std::string decode(const void* data, std::size_t size) override { return decode_into(incoming_, data, size); }
+  bool mend_if_it_must_be_obeyed() override { return messages::mend_if_it_must_be_obeyed(incoming_); }
+  std::string broken_rule() const override { return messages::broken_rule(incoming_); }
+  messages::Identity identity() const override { return messages::identity_of(incoming_); }
+  void forget() override { incoming_ = M{}; }
+  void let_wait() override { std::swap(waiting_, incoming_); }
+  void hand_over() override {
+    M message = std::move(waiting_);
     try {
       handler_(message);
       note_worked_on();
     } catch (const std::exception& error) {
       refuse(error.what());
     }
-    spare_ = std::move(message);
+    incoming_ = std::move(message);
   }
 
- private:
-  void accept(M&& message, bool from_the_future) {
-    note_accepted();
-    if constexpr (messages::has_seq<M>::value) {
-      if (exclusive_) counters_.sequence.observe(message.session, message.seq);
-    }
-    // A stop of an unknown time or a wrong one tells nothing about it.
-    on_time_line_ = message.utime != 0 && !from_the_future && host_->note_utime(message.utime);
-    if (on_time_line_) counters_.newest_utime = message.utime;
-    if (waiting_) {
-      ++counters_.skipped;
-      spare_ = std::move(*waiting_);
-    }
-    waiting_ = std::move(message);
-    if (delivery_ == Delivery::kEach || host_->replaying()) dispatch();
-  }
-
-  Delivery delivery_;
-  bool exclusive_;
   Handler handler_;
-  std::optional<M> waiting_;
-  bool on_time_line_ = false;  // the one that waits
-  M spare_{};  // a message that is done with: the next one takes its memory, which for a frame is megabytes
+  // What is done with stays in `incoming_`: the next one takes its memory, which for a frame is megabytes.
+  M incoming_{};
+  M waiting_{};
 };
 
 }  // namespace markservo::bus

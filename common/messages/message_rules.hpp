@@ -9,10 +9,10 @@
 //   must_be_obeyed(message)  of STOP and TASK_COMMAND: whether the message is obeyed whatever else it says
 //   mend(message)            of the same: makes the rest of such a message harmless
 
-#include <cstdint>
 #include <string>
 #include <type_traits>
 
+#include "common/messages/message_identity.hpp"
 #include "common/messages/message_traits.hpp"
 
 namespace markservo {
@@ -174,40 +174,11 @@ struct may_have_to_be_obeyed : std::false_type {};
 template <class M>
 struct may_have_to_be_obeyed<M, std::void_t<decltype(&MessageRules<M>::must_be_obeyed)>> : std::true_type {};
 
-// Times (us) and numbers beyond this are not real: the year 2255, or 9 million years at 30 Hz. Sums of a few never
-// overflow, and every one is exact as a double.
-inline constexpr std::int64_t kMaxCount = std::int64_t{1} << 53;
-
-// What every message says of itself: a possible time, in streams a session and a number, and in an answer the frame's
-// time as its own.
-template <class M>
-std::string identity_violation(const M& message) {
-  const auto wrong = [](const char* field, std::int64_t value, const std::string& allowed) {
-    return std::string(field) + " is " + std::to_string(value) + "; allowed: " + allowed;
-  };
-  if constexpr (has_utime<M>::value) {
-    if (message.utime < 0 || message.utime > kMaxCount) return wrong("utime", message.utime, "0 to 2^53 us");
-  }
-  if constexpr (has_seq<M>::value) {
-    if (message.session < 1) return wrong("session", message.session, "1 or more");
-    if (message.seq < 0 || message.seq > kMaxCount) return wrong("seq", message.seq, "0 to 2^53");
-  }
-  if constexpr (answers_frame<M>::value) {
-    if (message.frame_utime != message.utime) {
-      return wrong("frame_utime", message.frame_utime, "utime, " + std::to_string(message.utime));
-    }
-    if (message.frame_seq < 0 || message.frame_seq > kMaxCount) {
-      return wrong("frame_seq", message.frame_seq, "0 to 2^53");
-    }
-  }
-  return {};
-}
-
-// Both at once: what a bus asks of a message before it hands it over or sends it.
+// Its type's rules and those of all: what a bus asks of a message before it hands it over or sends it.
 template <class M>
 std::string broken_rule(const M& message) {
   static_assert(has_rules<M>::value, "a type with a channel needs its rules: common/messages/message_rules.hpp");
-  const std::string why = identity_violation(message);
+  std::string why = violation(identity_of(message));
   return why.empty() ? MessageRules<M>::violation(message) : why;
 }
 
