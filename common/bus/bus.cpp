@@ -1,6 +1,5 @@
 #include "common/bus/bus.hpp"
 
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "common/bus/session.hpp"
 #include "common/time/clocks.hpp"
 
+#include "common/logging/log.hpp"
 namespace markservo::bus {
 namespace {
 
@@ -222,7 +222,7 @@ void Bus::complain(const std::string& channel, const std::string& what) {
   const auto last = last_complaint_.find(channel);
   if (last != last_complaint_.end() && now - last->second < std::chrono::seconds(1)) return;
   last_complaint_[channel] = now;
-  spdlog::warn("{}: message dropped: {}", channel, what);
+  logging::warn("{}: message dropped: {}", channel, what);
 }
 
 }  // namespace markservo::bus

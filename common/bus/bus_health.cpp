@@ -1,13 +1,13 @@
 // What a Bus does about its network and what it says of its service.
 
-#include <spdlog/spdlog.h>
-
 #include <chrono>
 #include <markservo/ServiceStatus.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "common/bus/bus.hpp"
+#include "common/bus/connection.hpp"
+#include "common/logging/log.hpp"
 
 namespace markservo::bus {
 namespace {
@@ -130,12 +130,12 @@ void Bus::tell(const Word& word) {
 void Bus::log_trouble(const std::optional<Word>& network, const std::optional<Word>& inputs) {
   const auto now = steady_clock::now();
   if (const auto lasted = network_log_.follow(network, std::chrono::seconds(0), now)) {
-    spdlog::info("the network is back after {:.1f} s; it refused {} messages in all", *lasted,
-                 out_->refused_sends(now).total);
+    logging::info("the network is back after {:.1f} s; it refused {} messages in all", *lasted,
+                  out_->refused_sends(now).total);
   }
   if (network) return;
   if (const auto lasted = input_log_.follow(inputs, kLogAfter, now)) {
-    spdlog::info("goes on after {:.1f} s", *lasted);
+    logging::info("goes on after {:.1f} s", *lasted);
   }
 }
 
@@ -150,8 +150,11 @@ std::optional<double> Bus::TroubleLog::follow(const std::optional<Word>& trouble
   if (!since) since = now;
   if (is_told || now - *since < patience) return std::nullopt;
   // Whoever is started before the others waits for them: that is as it should be.
-  const bool is_usual = patience.count() > 0 && trouble->state == kWaiting;
-  spdlog::log(is_usual ? spdlog::level::info : spdlog::level::warn, "{}: {}", trouble->state, trouble->reason);
+  if (patience.count() > 0 && trouble->state == kWaiting) {
+    logging::info("{}: {}", trouble->state, trouble->reason);
+  } else {
+    logging::warn("{}: {}", trouble->state, trouble->reason);
+  }
   is_told = true;
   return std::nullopt;
 }

@@ -76,7 +76,7 @@ else()
 endif()
 
 # Headers and libraries.
-set(libraries bus geometry lcmtypes messages motion robot states text)
+set(libraries bus geometry lcmtypes logging messages motion robot states text)
 foreach(library IN LISTS libraries)
   target_include_directories(${library} INTERFACE
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/markservo>)
@@ -85,7 +85,7 @@ target_compile_features(lcmtypes INTERFACE cxx_std_17)
 install(TARGETS ${libraries} EXPORT markservo-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/markservo COMPONENT development)
 install(EXPORT markservo-targets NAMESPACE markservo:: DESTINATION ${cmake_dir} COMPONENT development)
-foreach(folder IN ITEMS bus geometry messages motion robot states text time)
+foreach(folder IN ITEMS bus geometry logging messages motion robot states text time)
   install(DIRECTORY common/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/markservo/common COMPONENT development
     FILES_MATCHING PATTERN "*.hpp")
 endforeach()
@@ -108,4 +108,4 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}-dev COMPONENT developm
 
 # All that `cmake --install` and cpack need built.
 add_custom_target(installable DEPENDS lcmtypes_headers)
-add_dependencies(installable ${installable} bus geometry messages motion robot states text)
+add_dependencies(installable ${installable} bus geometry logging messages motion robot states text)

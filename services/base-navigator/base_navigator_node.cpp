@@ -1,9 +1,17 @@
 #include "services/base-navigator/base_navigator_node.hpp"
 
-#include <spdlog/spdlog.h>
-
+#include <markservo/BaseCommand.hpp>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
+#include <markservo/RobotPose.hpp>
+#include <markservo/SonarScan.hpp>
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
+#include <markservo/WheelOdometry.hpp>
 #include <stdexcept>
 
+#include "common/bus/options.hpp"
+#include "common/logging/log.hpp"
 #include "common/messages/motion_messages.hpp"
 #include "common/motion/notice.hpp"
 #include "common/robot/configuration_error.hpp"
@@ -145,7 +153,7 @@ void BaseNavigatorNode::tell(DriveState state, const std::string& reason) {
   std::string words = reason;
   if (!others.empty() && others != reason) words += (reason.empty() ? "" : "; ") + others;
   bus_->set_state(name_of(state), words);
-  spdlog::info("{}{}{}", name_of(state), words.empty() ? "" : ": ", words);
+  logging::info("{}{}{}", name_of(state), words.empty() ? "" : ": ", words);
 }
 
 }  // namespace markservo::base_navigator

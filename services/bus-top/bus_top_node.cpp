@@ -1,6 +1,6 @@
 #include "services/bus-top/bus_top_node.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <poll.h>
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 #include "services/bus-top/field_lines.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

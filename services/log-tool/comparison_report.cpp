@@ -1,6 +1,6 @@
 #include "services/log-tool/comparison_report.hpp"
 
-#include <spdlog/fmt/fmt.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

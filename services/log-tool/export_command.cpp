@@ -1,6 +1,6 @@
 #include "services/log-tool/export_command.hpp"
 
-#include <spdlog/fmt/fmt.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,5 @@
 #include "services/rfid-localizer/rfid_localizer_node.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <markservo/RfidTagHits.hpp>
 #include <markservo/StopState.hpp>
 #include <markservo/WheelOdometry.hpp>
@@ -10,6 +8,7 @@
 #include "common/geometry/plane_pose.hpp"
 #include "common/messages/motion_messages.hpp"
 #include "common/messages/state_codes.hpp"
+#include "common/logging/log.hpp"
 #include "common/motion/mover_watch.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/states/localisation_state.hpp"
@@ -123,7 +122,7 @@ void RfidLocalizerNode::tell(const RobotPose& pose) {
   bus_->set_state(state, what);
   if (!changed) return;
   told_ = state;
-  spdlog::info("{}{}{}", told_, pose.reason.empty() ? "" : ": ", pose.reason);
+  logging::info("{}{}{}", told_, pose.reason.empty() ? "" : ": ", pose.reason);
 }
 
 }  // namespace markservo::rfid_localizer

@@ -2,8 +2,8 @@
 // scripts/stack status.
 //   in: all of the bus, supervisord's socket     out: SERVICE_STATUS, its own socket
 
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
+#include <cstdint>
+#include <string>
 
 #include <memory>
 
@@ -18,9 +18,7 @@ namespace {
 namespace watch = markservo::stack_watch;
 
 int run(const watch::StackWatchSettings& settings, const std::string& socket) {
-  spdlog::set_default_logger(
-      std::make_shared<spdlog::logger>("stack-watch", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()));
-  spdlog::set_pattern("%H:%M:%S.%e %n %^%l%$ %v");
+  markservo::bus::set_up_log("stack-watch", "info");
   watch::StackWatchNode node(settings);
   const watch::AnsweringDevice answering(socket, [&node] { return node.answer(); });
   node.run();

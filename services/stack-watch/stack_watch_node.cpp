@@ -1,6 +1,5 @@
 #include "services/stack-watch/stack_watch_node.hpp"
 
-#include <spdlog/spdlog.h>
 // glibc 2.36 declares it for C only.
 extern "C" {
 #include <sys/pidfd.h>
@@ -18,6 +17,7 @@ extern "C" {
 #include "common/bus/host_name.hpp"
 #include "common/bus/session.hpp"
 #include "common/census/census_messages.hpp"
+#include "common/logging/log.hpp"
 #include "common/time/clocks.hpp"
 #include "services/stack-watch/command_line.hpp"
 #include "services/stack-watch/supervisor_reader.hpp"
@@ -88,9 +88,9 @@ void StackWatchNode::keep_bus() {
   bus_was_gone_ = !problem.empty();
   bus_changed_us_ = wall_clock_us();
   if (bus_was_gone_) {
-    spdlog::warn("the bus is gone ({}): nobody is killed for silence", problem);
+    logging::warn("the bus is gone ({}): nobody is killed for silence", problem);
   } else {
-    spdlog::info("the bus is back: silence is counted anew");
+    logging::info("the bus is back: silence is counted anew");
   }
 }
 
@@ -99,7 +99,7 @@ void StackWatchNode::hear(const Datagram& datagram) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_crafted(datagram.data, datagram.size, datagram.size)) {
     if (when.wall_us - crafted_us_ > kTold_us) {
-      spdlog::warn("a crafted fragment came from {}: it ends what reads its channel", datagram.from);
+      logging::warn("a crafted fragment came from {}: it ends what reads its channel", datagram.from);
     }
     ++crafted_;
     crafted_us_ = when.wall_us;
@@ -139,7 +139,7 @@ void StackWatchNode::tick() {
 void StackWatchNode::kill_if_supervised(const SilentService& silent) {
   const int descriptor = pidfd_open(silent.pid, 0);
   if (descriptor < 0) {
-    if (errno != ESRCH) spdlog::warn("{} is silent, but cannot be killed: {}", silent.name, std::strerror(errno));
+    if (errno != ESRCH) logging::warn("{} is silent, but cannot be killed: {}", silent.name, std::strerror(errno));
     return;
   }
   try {
@@ -149,14 +149,14 @@ void StackWatchNode::kill_if_supervised(const SilentService& silent) {
     });
     if (same && pidfd_send_signal(descriptor, SIGKILL, nullptr, 0) == 0) {
       const double silent_s = 1e-6 * static_cast<double>(silent.silent_us);
-      spdlog::warn("{} (pid {}) said nothing on the bus for {:.1f} s{}: killed", silent.name, silent.pid, silent_s,
-                   silent.spoke ? "" : " from its start on");
+      logging::warn("{} (pid {}) said nothing on the bus for {:.1f} s{}: killed", silent.name, silent.pid, silent_s,
+                    silent.spoke ? "" : " from its start on");
       const std::lock_guard<std::mutex> lock(mutex_);
       kills_.push_back({silent.name, silent.pid, silent_s, silent.spoke, wall_clock_us()});
       if (kills_.size() > kKillsKept) kills_.pop_front();
     }
   } catch (const std::runtime_error& error) {
-    spdlog::warn("{} (pid {}) is silent, but is not killed: {}", silent.name, silent.pid, error.what());
+    logging::warn("{} (pid {}) is silent, but is not killed: {}", silent.name, silent.pid, error.what());
   }
   close(descriptor);
 }
@@ -187,7 +187,7 @@ void StackWatchNode::ask_for_processes() {
 void StackWatchNode::note_answer(Supervised answer) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (answer.cannot_ask != supervised_.cannot_ask && !answer.cannot_ask.empty()) {
-    spdlog::error("the supervisor cannot be asked ({}): nobody is killed for silence", answer.cannot_ask);
+    logging::error("the supervisor cannot be asked ({}): nobody is killed for silence", answer.cannot_ask);
   }
   if (!answer.cannot_ask.empty()) {
     supervised_.cannot_ask = answer.cannot_ask;
@@ -202,9 +202,9 @@ void StackWatchNode::note_answer(Supervised answer) {
   }
   supervised_ = std::move(answer);
   if (changed && !supervised_.alive) {
-    spdlog::error("the supervisor is dead ({}); services still run: {}", supervised_.why_not, orphans());
+    logging::error("the supervisor is dead ({}); services still run: {}", supervised_.why_not, orphans());
   } else if (changed) {
-    spdlog::info("the supervisor answers");
+    logging::info("the supervisor answers");
   }
   census::KnownProcesses known{host_, {}};
   for (const RunningProcess& process : supervised_.running) known.processes.insert({process.name, process.pid});

@@ -1,13 +1,13 @@
 #include "services/stereo-camera/stereo_camera_node.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <chrono>
 #include <opencv2/core/utils/logger.hpp>
 #include <utility>
 
 #include "common/bus/network_check.hpp"
+#include "common/bus/options.hpp"
+#include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
 #include "services/stereo-camera/encoder.hpp"
@@ -83,9 +83,9 @@ void StereoCameraNode::check(const std::string& robot_file) {
   if (once_) count_ = 1;
   geometry_ = choose_geometry(geometry_options_, robot_file);
   source_ = open_source(source_options_, geometry_.size.value_or(cv::Size(640, 480)));
-  if (!source_.note.empty()) spdlog::warn("{}", source_.note);
+  if (!source_.note.empty()) logging::warn("{}", source_.note);
   if (geometry_.calibration && !geometry_.calibration->rms) {
-    spdlog::warn("{}: states no reprojection error; taken on trust", geometry_.size_source);
+    logging::warn("{}: states no reprojection error; taken on trust", geometry_.size_source);
   }
 }
 
@@ -97,7 +97,7 @@ void StereoCameraNode::read_first_pair() {
     if (!camera_begins) break;
   }
   if (result.status == ReadStatus::kWaiting && source_options_.wait_for_device) {
-    spdlog::warn("{}; waiting for it", result.reason);
+    logging::warn("{}; waiting for it", result.reason);
     return;
   }
   if (result.status != ReadStatus::kPair) {
@@ -133,7 +133,7 @@ void StereoCameraNode::choose_encoding(const bus::BusUrls& urls) {
   jpeg_ = encoding_ == "jpeg";
   if (encoding_ == "auto" && !bus::raw_frames_fit(urls.out)) {
     jpeg_ = true;
-    spdlog::warn("{}", bus::raw_frames_advice());
+    logging::warn("{}", bus::raw_frames_advice());
   }
   message_.encoding = jpeg_ ? StereoFrame::ENCODING_JPEG : StereoFrame::ENCODING_BGR8;
 }
@@ -153,7 +153,7 @@ void StereoCameraNode::run(bus::Bus& bus) {
   } else {
     run_files(bus);
   }
-  spdlog::info("published {} pairs, dropped {}", published_, dropped_);
+  logging::info("published {} pairs, dropped {}", published_, dropped_);
 }
 
 void StereoCameraNode::run_files(bus::Bus& bus) {
@@ -173,14 +173,14 @@ void StereoCameraNode::run_files(bus::Bus& bus) {
       result = source_.source->read();
     }
     if (result.status == ReadStatus::kEnd) {
-      if (!result.reason.empty()) spdlog::warn("{}", result.reason);
+      if (!result.reason.empty()) logging::warn("{}", result.reason);
       return;
     }
     if (result.status == ReadStatus::kDropped) {
       drop(result.reason);
       continue;
     }
-    if (!result.reason.empty()) spdlog::warn("{}", result.reason);
+    if (!result.reason.empty()) logging::warn("{}", result.reason);
     if (!paced) {
       publish(result.pair, time_of(kLogEpoch_us, result.pair.index, source_.rate_hz));
       continue;
@@ -213,9 +213,9 @@ void StereoCameraNode::run_cameras(bus::Bus& bus) {
     if (news.waiting != waiting_) {
       waiting_ = news.waiting;
       if (waiting_) {
-        spdlog::warn("{}; trying again once a second", news.reason);
+        logging::warn("{}; trying again once a second", news.reason);
       } else {
-        spdlog::info("cameras are there");
+        logging::info("cameras are there");
       }
       tell_state(bus);
     }
@@ -273,7 +273,7 @@ void StereoCameraNode::publish(const RawPair& pair, std::int64_t utime) {
 void StereoCameraNode::drop(const std::string& reason, std::int64_t count) {
   dropped_ += count;
   last_reason_ = reason;
-  spdlog::debug("dropped: {}", reason);
+  logging::debug("dropped: {}", reason);
 }
 
 void StereoCameraNode::tell_state(bus::Bus& bus) {
@@ -283,7 +283,7 @@ void StereoCameraNode::tell_state(bus::Bus& bus) {
   } else if (newly_dropped > 0) {
     const std::string told = std::to_string(newly_dropped) + " pairs dropped in the last second, " +
                              std::to_string(dropped_) + " since the start; last: " + last_reason_;
-    spdlog::warn("{}", told);
+    logging::warn("{}", told);
     bus.set_state("ready", told);
   } else {
     bus.set_state("ready");

@@ -1,7 +1,6 @@
 #include "services/stereo-camera/v4l2_device.hpp"
 
 #include <fcntl.h>
-#include <spdlog/spdlog.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
@@ -13,6 +12,7 @@
 #include <opencv2/videoio.hpp>
 #include <utility>
 
+#include "common/logging/log.hpp"
 #include "services/stereo-camera/frame_pairing.hpp"
 #include "services/stereo-camera/frame_source.hpp"
 
@@ -61,7 +61,7 @@ class V4l2Device : public CaptureDevice {
     try {
       if (!capture_.grab()) return false;
     } catch (const cv::Exception& error) {
-      spdlog::warn("camera: {}", error.err);
+      logging::warn("camera: {}", error.err);
       return false;
     }
     // Read at once after the frame, so that the fallback is as near to it as can be.
@@ -69,7 +69,7 @@ class V4l2Device : public CaptureDevice {
         static_cast<std::int64_t>(std::llround(capture_.get(cv::CAP_PROP_POS_MSEC) * kMicrosecondsPerMillisecond));
     const FrameTime time = frame_time(driver_us, {clock_us(CLOCK_MONOTONIC), clock_us(CLOCK_REALTIME)});
     if (!time.from_driver && !std::exchange(told_no_times_, true)) {
-      spdlog::warn("camera: the driver gives no usable frame times; the time of arrival is taken instead");
+      logging::warn("camera: the driver gives no usable frame times; the time of arrival is taken instead");
     }
     utime_ = time.utime;
     return true;
@@ -101,7 +101,7 @@ void apply(cv::VideoCapture& capture, const std::string& path, int property, dou
   capture.set(property, value);
   const double taken = capture.get(property);
   if (std::abs(taken - value) > 0.5) {
-    spdlog::warn("{}: {} was set to {}, the driver says {}", path, name, value, taken);
+    logging::warn("{}: {} was set to {}, the driver says {}", path, name, value, taken);
   }
 }
 

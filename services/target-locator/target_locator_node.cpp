@@ -1,8 +1,11 @@
 #include "services/target-locator/target_locator_node.hpp"
 
-#include <spdlog/spdlog.h>
+#include <markservo/MarkDetection.hpp>
+#include <markservo/StereoMatches.hpp>
+#include <markservo/TargetPose.hpp>
 
-#include "common/bus/number_options.hpp"
+#include "common/bus/options.hpp"
+#include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
 #include "services/target-locator/pose_message.hpp"
@@ -78,8 +81,8 @@ void TargetLocatorNode::handle(const MarkDetection& detection) {
   const int dropped = fit_into_packet(pose);
   if (dropped > 0 && !told_of_dropped_marks_) {
     told_of_dropped_marks_ = true;
-    spdlog::warn("TARGET_POSE: the last {} of {} marks do not fit a packet of {} bytes and are left out", dropped,
-                 detection.marks.size(), kMaxPoseBytes);
+    logging::warn("TARGET_POSE: the last {} of {} marks do not fit a packet of {} bytes and are left out", dropped,
+                  detection.marks.size(), kMaxPoseBytes);
   }
   poses_->publish(pose);
   matches_->publish(matches);

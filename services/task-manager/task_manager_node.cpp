@@ -1,7 +1,5 @@
 #include "services/task-manager/task_manager_node.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -16,6 +14,8 @@ namespace markservo::task_manager {
 namespace {
 
 using messages::drop;
+#include "common/bus/options.hpp"
+#include "common/logging/log.hpp"
 using messages::stamp_of;
 
 }  // namespace
@@ -152,11 +152,11 @@ void TaskManagerNode::publish(const Output& output, const ServoStatus& status) {
 
 // The log: every notice and every change, with the task's own time.
 void TaskManagerNode::tell(const Output& output, std::int64_t utime) {
-  for (const std::string& notice : output.notices) spdlog::info("{}", notice);
+  for (const std::string& notice : output.notices) logging::info("{}", notice);
   const std::optional<double> seconds = log_.news(output, utime);
   if (!seconds) return;
-  spdlog::info("{:8.2f} s  {}{}{}{}", *seconds, name_of(output.phase), output.target.empty() ? "" : " ", output.target,
-               output.reason.empty() ? "" : ": " + output.reason);
+  logging::info("{:8.2f} s  {}{}{}{}", *seconds, name_of(output.phase), output.target.empty() ? "" : " ", output.target,
+                output.reason.empty() ? "" : ": " + output.reason);
   bus_->set_state(name_of(output.phase), output.reason);
 }
 

@@ -1,10 +1,17 @@
 #include "services/visual-servo/visual_servo_node.hpp"
 
-#include <spdlog/spdlog.h>
-
+#include <markservo/JointCommand.hpp>
+#include <markservo/JointState.hpp>
+#include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
+#include <markservo/TargetPose.hpp>
 #include <stdexcept>
 
 #include "common/bus/number_options.hpp"
+#include "common/bus/options.hpp"
+#include "common/logging/log.hpp"
 #include "common/messages/motion_messages.hpp"
 #include "common/motion/notice.hpp"
 #include "common/robot/configuration_error.hpp"
@@ -160,7 +167,7 @@ void VisualServoNode::tell(const Status& status) {
   std::string reason = status.reason;
   if (!others.empty() && others != reason) reason += (reason.empty() ? "" : "; ") + others;
   bus_->set_state(name_of(status.state), reason);
-  spdlog::info("{}{}{}", name_of(status.state), reason.empty() ? "" : ": ", reason);
+  logging::info("{}{}{}", name_of(status.state), reason.empty() ? "" : ": ", reason);
 }
 
 }  // namespace markservo::visual_servo

@@ -1,10 +1,9 @@
 #include "services/simulator/node/control_node.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <exception>
 
 #include "common/messages/motion_messages.hpp"
+#include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/simulator/messages/truth_messages.hpp"
 
@@ -24,7 +23,7 @@ void ControlNode::hear(const SimControl& message) {
     } catch (const std::exception& error) {
       // Whatever it was: the sender waits for an echo, and silence about a failure would read as done.
       error_ = error.what();
-      spdlog::warn("SIM_CONTROL {}: {}", message.control_id, error_);
+      logging::warn("SIM_CONTROL {}: {}", message.control_id, error_);
     }
   }
   // A reset's echo comes with its first frame; everything else is echoed at once.

@@ -1,12 +1,11 @@
 #include "services/simulator/node/simulator_node.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
 #include "common/bus/network_check.hpp"
+#include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
 #include "services/simulator/time/awaited_channels.hpp"
@@ -74,7 +73,7 @@ int SimulatorNode::jpeg_quality(const bus::BusUrls& urls) const {
   if (options_.encoding == "raw") return 0;
   if (options_.encoding == "jpeg") return options_.jpeg_quality;
   if (bus::raw_frames_fit(urls.out)) return 0;
-  spdlog::warn("{}", bus::raw_frames_advice());
+  logging::warn("{}", bus::raw_frames_advice());
   return options_.jpeg_quality;
 }
 

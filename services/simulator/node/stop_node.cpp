@@ -1,9 +1,10 @@
 #include "services/simulator/node/stop_node.hpp"
 
-#include <spdlog/spdlog.h>
-
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
 #include <string>
 
+#include "common/logging/log.hpp"
 #include "common/messages/motion_messages.hpp"
 
 namespace markservo::simulator {
@@ -21,7 +22,7 @@ void StopNode::hear(const StopRequest& message) {
   const motion::StopHeard heard = simulation_->request(request);
   if (heard == motion::StopHeard::kStale) messages::drop("RESET refused: " + simulation_->why_stale(request));
   if (heard != motion::StopHeard::kAgain) {
-    spdlog::info("STOP {}: {}", simulation_->latch().latched() ? "latched" : "reset", simulation_->latch().reason());
+    logging::info("STOP {}: {}", simulation_->latch().latched() ? "latched" : "reset", simulation_->latch().reason());
   }
   publish();
 }
@@ -51,7 +52,7 @@ void StopNode::repeat() {
 
 void StopNode::tell_of_a_latch() {
   if (simulation_->latch().latched() == told_latched_ || is_ahead()) return;
-  spdlog::warn("STOP latched: {}", simulation_->latch().reason());
+  logging::warn("STOP latched: {}", simulation_->latch().reason());
   publish();
 }
 

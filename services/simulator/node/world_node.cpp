@@ -1,7 +1,6 @@
 #include "services/simulator/node/world_node.hpp"
 
-#include <spdlog/spdlog.h>
-
+#include <markservo/JointCommand.hpp>
 #include <markservo/MarkDetection.hpp>
 #include <markservo/ServoStatus.hpp>
 #include <markservo/TargetPose.hpp>
@@ -10,6 +9,9 @@
 
 namespace markservo::simulator {
 namespace {
+#include "common/logging/log.hpp"
+#include "services/simulator/node/base_node.hpp"
+
 
 constexpr std::int64_t kJointStatePeriod_us = 10'000;
 
@@ -64,7 +66,7 @@ void WorldNode::step() {
   try {
     simulation_->step();
   } catch (const std::runtime_error& error) {
-    spdlog::error("{}: the world begins anew, this run is invalid", error.what());
+    logging::error("{}: the world begins anew, this run is invalid", error.what());
     simulation_->reset(simulation_->seed(), {});
     run_.begin_anew(false);
   }

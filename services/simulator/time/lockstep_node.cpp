@@ -1,10 +1,9 @@
 #include "services/simulator/time/lockstep_node.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <chrono>
 #include <cstdint>
 
+#include "common/logging/log.hpp"
 #include "services/simulator/node/world_node.hpp"
 #include "services/simulator/time/answer_wait_node.hpp"
 
@@ -52,8 +51,8 @@ bool Lockstep::answered(AnswerWait& wait, const LockstepBarrier& barrier, const 
   const AnswerWait::Outcome outcome = wait.run(*bus_, barrier, timeout_s_);
   if (outcome == AnswerWait::Outcome::kTimedOut) {
     if (world_->run().valid) {
-      spdlog::error("{}, {} us after the epoch: no answer on {} within {} s: this run is invalid until the next RESET",
-                    what, world_->simulation().elapsed_us(), barrier.missing(), timeout_s_);
+      logging::error("{}, {} us after the epoch: no answer on {} within {} s: this run is invalid until the next RESET",
+                     what, world_->simulation().elapsed_us(), barrier.missing(), timeout_s_);
     }
     world_->invalidate();
   }
