@@ -8,9 +8,8 @@
 #include <memory>
 #include <sstream>
 
-#include "common/bus/config_file.hpp"
+#include "common/bus/command_line.hpp"
 #include "common/bus/log_format.hpp"
-#include "common/bus/number_options.hpp"
 #include "common/bus/session.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/text/text.hpp"
@@ -30,43 +29,32 @@ struct CommonOptions {
   bool list_channels = false;
 };
 
-void add_common_options(CLI::App& app, CommonOptions& options) {
-  app.config_formatter(std::make_shared<ConfigFile>(app));
-  app.set_config("--config", "", "Read options from this file (key=value lines, keys as the options' names)");
-  app.allow_config_extras(CLI::config_extras_mode::error);
-  app.add_flag("--print-config", options.print_config, "Print all settings in force and exit")->configurable(false);
-  app.add_flag("--check", options.check, "Say whether the settings and the files they name are valid, and exit")
-      ->configurable(false);
-  app.add_flag("--list-channels", options.list_channels, "Print the channels that it reads and writes, and exit")
-      ->configurable(false);
-  app.add_option("--robot-file", options.robot_file, "The robot's description")
-      ->envname("MARKSERVO_ROBOT_FILE")
-      ->capture_default_str();
-  app.add_option("--robot", options.robot, "Prefix of all channels, for several robots on one bus");
-  app.add_option("--lcm-url", options.lcm_url, "LCM bus to read and write")
-      ->envname("MARKSERVO_LCM_URL")
-      ->capture_default_str();
-  app.add_option("--lcm-in", options.lcm_in, "LCM bus to read, if another: file://LOG?speed=0 replays a log");
-  app.add_option("--lcm-out", options.lcm_out, "LCM bus to write, if another: file://LOG?mode=w writes a log");
-  app.add_option("--log-level", options.log_level, "Least severity that is logged to the standard error")
-      ->check(CLI::IsMember({"debug", "info", "warn", "error"}))
-      ->capture_default_str();
+void add_common_options(CommandLine& command_line, CommonOptions& options) {
+  command_line.read_config_files();
+  const Options add(command_line.app());
+  add.flag("--print-config", options.print_config, "Print all settings in force and exit").not_in_config();
+  add.flag("--check", options.check, "Say whether the settings and the files they name are valid, and exit")
+      .not_in_config();
+  add.flag("--list-channels", options.list_channels, "Print the channels that it reads and writes, and exit")
+      .not_in_config();
+  add.option("--robot-file", options.robot_file, "The robot's description")
+      .environment("MARKSERVO_ROBOT_FILE")
+      .show_default();
+  add.option("--robot", options.robot, "Prefix of all channels, for several robots on one bus");
+  add.option("--lcm-url", options.lcm_url, "LCM bus to read and write").environment("MARKSERVO_LCM_URL").show_default();
+  add.option("--lcm-in", options.lcm_in, "LCM bus to read, if another: file://LOG?speed=0 replays a log");
+  add.option("--lcm-out", options.lcm_out, "LCM bus to write, if another: file://LOG?mode=w writes a log");
+  add.option("--log-level", options.log_level, "Least severity that is logged to the standard error")
+      .one_of({"debug", "info", "warn", "error"})
+      .show_default();
 }
 
 // All that decides how the service behaves, in one number.
-int64_t config_hash(const CLI::App& app, const std::string& robot_file) {
+int64_t config_hash(const CommandLine& command_line, const std::string& robot_file) {
   std::ifstream file(robot_file);
   std::ostringstream content;
   content << file.rdbuf();
-  return static_cast<int64_t>(fingerprint(content.str(), fingerprint(app.config_to_str(true))));
-}
-
-std::string one_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (char& character : text) {
-    if (character == '\n') character = ' ';
-  }
-  return text;
+  return static_cast<int64_t>(fingerprint(content.str(), fingerprint(command_line.settings())));
 }
 
 // On a bus of its own, which nobody hears.
@@ -85,9 +73,9 @@ void complain(const ServiceInfo& info, const std::string& what) {
   std::cerr << info.name << ": " << text::printable(what) << "\n";
 }
 
-int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const CommonOptions& options) {
+int serve(const ServiceInfo& info, Service& service, const CommandLine& command_line, const CommonOptions& options) {
   if (options.print_config) {
-    std::cout << app.config_to_str(true, true);
+    std::cout << command_line.explained_settings();
     return kExitStopped;
   }
   if (options.check) {
@@ -106,7 +94,7 @@ int serve(const ServiceInfo& info, Service& service, const CLI::App& app, const 
   if (parameters.source) parameters.urls.in = "memq://";
   parameters.service_name = info.name;
   parameters.robot = options.robot;
-  parameters.config_hash = config_hash(app, options.robot_file);
+  parameters.config_hash = config_hash(command_line, options.robot_file);
   parameters.waits_for_network = service.waits_for_network();
   Bus bus(parameters);
   service.start(bus);
@@ -129,23 +117,15 @@ void keep_freed_memory() {
 
 int run_service(const ServiceInfo& info, Service& service, int argc, char** argv) {
   keep_freed_memory();
-  CLI::App app(info.description, info.name);
+  CommandLine command_line(info.name, info.description);
   CommonOptions options;
-  add_common_options(app, options);
-  service.add_options(app);
-  require_decimal_numbers(app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& request) {
-    return app.exit(request);
-  } catch (const CLI::Error& error) {
-    complain(info, one_line(error.what()) + "; see " + info.name + " --help");
-    return kExitBadConfiguration;
-  }
+  add_common_options(command_line, options);
+  service.add_options(command_line.app());
+  if (const auto exit_code = command_line.parse(argc, argv)) return *exit_code;
   // Standard output belongs to what a person asked for (JSON, settings).
   set_up_log(info.name, options.log_level);
   try {
-    return serve(info, service, app, options);
+    return serve(info, service, command_line, options);
   } catch (const ConfigurationError& error) {
     complain(info, error.what());
     return kExitBadConfiguration;

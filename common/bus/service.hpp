@@ -2,18 +2,14 @@
 
 // What every service's main() does: options, configuration, bus, signals, exit codes.
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "common/bus/bus.hpp"
+#include "common/bus/exit_code.hpp"
+#include "common/bus/options.hpp"
 
 namespace markservo::bus {
-
-inline constexpr int kExitStopped = 0;
-inline constexpr int kExitFailed = 1;  // what nobody foresaw
-inline constexpr int kExitBadConfiguration = 2;
-inline constexpr int kExitBusUnavailable = 3;
 
 struct ServiceInfo {
   std::string name;         // of the executable
@@ -25,7 +21,8 @@ class Service {
  public:
   virtual ~Service() = default;
 
-  // Adds the service's own options; names are flat and dashed, so that --config FILE can set them.
+  // Adds the service's own options, by Options or as CLI11 does; names are flat and dashed, so that --config FILE can
+  // set them.
   virtual void add_options(CLI::App& app) = 0;
 
   // Reads files and checks settings, before any bus. `robot_file` is --robot-file. Throws ConfigurationError.

@@ -1,9 +1,12 @@
 #include "common/bus/tool.hpp"
 
+#include <exception>
 #include <iostream>
 
-#include "common/bus/number_options.hpp"
-#include "common/bus/service.hpp"
+#include "common/bus/bus_unavailable.hpp"
+#include "common/bus/bus_url.hpp"
+#include "common/bus/command_line.hpp"
+#include "common/bus/exit_code.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/text/text.hpp"
 
@@ -13,25 +16,24 @@ void add_live_bus_option(CLI::App& app, std::string& url) {
   const auto objection = [](const std::string& given) {
     return is_udpm(given) ? std::string() : given + ": allowed is udpm://, a bus that others write on";
   };
-  app.add_option("--lcm-url", url, "The bus")
-      ->envname("MARKSERVO_LCM_URL")
-      ->check(CLI::Validator(objection, "udpm://"))
-      ->capture_default_str();
+  Options(app)
+      .option("--lcm-url", url, "The bus")
+      .environment("MARKSERVO_LCM_URL")
+      .check(objection, "udpm://")
+      .show_default();
 }
 
-int run_tool(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
-  const auto complain = [&app](const std::exception& error, int code, const std::string& more = {}) {
-    std::cerr << app.get_name() << ": " << text::printable(error.what()) << more << std::endl;
+int run_tool(const ToolInfo& info, int argc, char** argv, const std::function<void(CLI::App& app)>& add_options,
+             const std::function<int()>& run) {
+  const auto complain = [&info](const std::exception& error, int code) {
+    std::cerr << info.name << ": " << text::printable(error.what()) << std::endl;
     return code;
   };
-  require_decimal_numbers(app);
+  CommandLine command_line(info.name, info.description);
+  add_options(command_line.app());
   try {
-    app.parse(argc, argv);
+    if (const auto exit_code = command_line.parse(argc, argv)) return *exit_code;
     return run();
-  } catch (const CLI::Success& request) {
-    return app.exit(request);
-  } catch (const CLI::Error& error) {
-    return complain(error, kExitBadConfiguration, "; see " + app.get_name() + " --help");
   } catch (const ConfigurationError& error) {
     return complain(error, kExitBadConfiguration);
   } catch (const BusUnavailable& error) {

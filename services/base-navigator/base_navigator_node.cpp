@@ -32,8 +32,9 @@ constexpr std::chrono::milliseconds kSilence(300);
 }  // namespace
 
 void BaseNavigatorNode::add_options(CLI::App& app) {
-  app.add_option("--stop-device", stop_device_, "The base's name in STOP_STATE, one of robot.yaml's stop_devices")
-      ->capture_default_str();
+  const bus::Options add(app);
+  add.option("--stop-device", stop_device_, "The base's name in STOP_STATE, one of robot.yaml's stop_devices")
+      .show_default();
   add_navigator_options(app, parameters_);
 }
 

@@ -1,9 +1,9 @@
 #include "services/base-navigator/navigator_options.hpp"
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "common/bus/number_options.hpp"
+#include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/base-navigator/navigator.hpp"
 
@@ -28,14 +28,15 @@ void add_passage_options(CLI::App& app, PassageParameters& passage) {
 }
 
 void add_arrival_options(CLI::App& app, ArrivalParameters& arrival) {
+  const bus::Options add(app);
   const bus::NumberOptions number(app);
   number("--tolerance", arrival.position, "Arrived within, m", 0.002, 0.5);
   number("--heading-tolerance", arrival.heading, "Arrived within, rad", 0.005, 0.5);
   number("--coarse-tolerance", arrival.coarse_position, "Will do after all corrections, m", 0.002, 1.0);
   number("--coarse-heading-tolerance", arrival.coarse_heading, "Will do after all corrections, rad", 0.005, 1.0);
-  app.add_option("--corrections", arrival.corrections, "At the goal, before it takes what it has or gives up")
-      ->check(CLI::Range(0, 20))
-      ->capture_default_str();
+  add.option("--corrections", arrival.corrections, "At the goal, before it takes what it has or gives up")
+      .in_range(0, 20)
+      .show_default();
   number("--settle-time", arrival.settle_time, "Standing before the pose is judged, s", 0.1, 10.0);
 }
 
@@ -49,10 +50,10 @@ void add_trust_options(CLI::App& app, TrustParameters& trust) {
 }
 
 void add_explore_options(CLI::App& app, ExploreParameters& explore) {
+  const bus::Options add(app);
   const bus::NumberOptions number(app);
-  app.add_option("--explore", explore.enabled,
-                 "Creep straight on (or back) to learn the heading when only that is unknown")
-      ->capture_default_str();
+  add.option("--explore", explore.enabled, "Creep straight on (or back) to learn the heading when only that is unknown")
+      .show_default();
   number("--explore-speed", explore.speed, "m/s", 0.02, 0.5);
   number("--explore-way", explore.distance, "m, at most", 0.05, 2.0);
 }

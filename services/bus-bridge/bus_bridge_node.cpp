@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "common/bus/options.hpp"
 #include "common/bus/session.hpp"
 #include "common/time/clocks.hpp"
 
@@ -38,15 +39,13 @@ void Bridge::pass(const std::string& channel, bus::Bus& from, bus::Bus& to) {
 }
 
 void BusBridgeNode::add_options(CLI::App& app) {
-  app.add_option("--link-url", crossing_.link_url,
-                 "The bus that both hosts share, udpm:// with ttl=1, on a port of its own");
-  app.add_option("--send", crossing_.send, "Channels from this host's bus to the link, separated by commas")
-      ->delimiter(',');
-  app.add_option("--receive", crossing_.receive, "Channels from the link to this host's bus, separated by commas")
-      ->delimiter(',');
-  app.add_option("--largest", crossing_.largest, "Larger messages do not cross, bytes")
-      ->check(CLI::Range(100, 65000))
-      ->capture_default_str();
+  const bus::Options add(app);
+  add.option("--link-url", crossing_.link_url,
+             "The bus that both hosts share, udpm:// with ttl=1, on a port of its own");
+  add.option("--send", crossing_.send, "Channels from this host's bus to the link, separated by commas").delimiter(',');
+  add.option("--receive", crossing_.receive, "Channels from the link to this host's bus, separated by commas")
+      .delimiter(',');
+  add.option("--largest", crossing_.largest, "Larger messages do not cross, bytes").in_range(100, 65000).show_default();
 }
 
 void BusBridgeNode::configure(const std::string& /*robot_file*/) {

@@ -6,7 +6,7 @@
 #include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
 #include "common/bus/network_check.hpp"
-#include "common/bus/number_options.hpp"
+#include "common/bus/options.hpp"
 #include "common/bus/service.hpp"
 #include "common/bus/tool.hpp"
 #include "common/census/census_text.hpp"
@@ -93,24 +93,26 @@ int run(const Options& options) {
   return markservo::bus::kExitStopped;
 }
 
+void add_options(CLI::App& app, Options& options) {
+  markservo::bus::add_live_bus_option(app, options.url);
+  const markservo::bus::Options add(app);
+  add.option("--for", options.seconds, "Listen so long, s").within(0.1, 3600.0).show_default();
+  const auto json = add.flag("--json", options.json, "One JSON object instead of tables");
+  add.flag("--follow", options.follow, "Print each SERVICE_STATUS instead when it comes, one JSON object a line")
+      .excludes(json);
+  add.option("--room-for", options.room.services,
+             "Instead: name who writes already what these services would write; exits 1 if somebody does")
+      .delimiter(',');
+  add.option("--robot", options.room.robot, "With --room-for: this robot's channels only, '' for no prefix");
+  add.option("--own", options.own, "With --room-for: processes of this host that are no obstacle").delimiter(',');
+  add.option("--own-sessions", options.own_sessions, "With --own: what they are known to write by").delimiter(',');
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Listens for a moment and tells who is on the bus: services (SERVICE_STATUS) and channels",
-               "bus-census");
   Options options;
-  markservo::bus::add_live_bus_option(app, options.url);
-  app.add_option("--for", options.seconds, "Listen so long, s")
-      ->check(markservo::bus::Within(0.1, 3600.0))
-      ->capture_default_str();
-  auto* json = app.add_flag("--json", options.json, "One JSON object instead of tables");
-  app.add_flag("--follow", options.follow, "Print each SERVICE_STATUS instead when it comes, one JSON object a line")
-      ->excludes(json);
-  app.add_option("--room-for", options.room.services,
-                 "Instead: name who writes already what these services would write; exits 1 if somebody does")
-      ->delimiter(',');
-  app.add_option("--robot", options.room.robot, "With --room-for: this robot's channels only, '' for no prefix");
-  app.add_option("--own", options.own, "With --room-for: processes of this host that are no obstacle")->delimiter(',');
-  app.add_option("--own-sessions", options.own_sessions, "With --own: what they are known to write by")->delimiter(',');
-  return markservo::bus::run_tool(app, argc, argv, [&options] { return run(options); });
+  return markservo::bus::run_tool(
+      {"bus-census", "Listens for a moment and tells who is on the bus: services (SERVICE_STATUS) and channels"}, argc,
+      argv, [&options](CLI::App& app) { add_options(app, options); }, [&options] { return run(options); });
 }

@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "common/bus/end_signals.hpp"
-#include "common/bus/number_options.hpp"
+#include "common/bus/options.hpp"
 #include "common/bus/tool.hpp"
 #include "common/reflection/message_note.hpp"
 #include "common/reflection/value_text.hpp"
@@ -42,15 +42,14 @@ std::vector<std::string> message_lines(const std::vector<std::uint8_t>& bytes) {
 }  // namespace
 
 void add_options(CLI::App& app, BusTopOptions& options) {
+  const bus::Options add(app);
   bus::add_live_bus_option(app, options.url);
-  app.add_option("--robot", options.robot, "Only the channels of this robot, without its prefix");
-  app.add_option("--channel", options.channel, "Show the fields of this channel's newest message");
-  app.add_flag("--once", options.once, "Print once, as plain text, and end; so without a terminal");
-  app.add_flag("--json", options.json, "Print once, as JSON, and end");
-  app.add_option("--for", options.seconds, "How long to listen before printing once, s")
-      ->check(bus::Within(0.1, 3600.0))
-      ->capture_default_str();
-  app.footer(
+  add.option("--robot", options.robot, "Only the channels of this robot, without its prefix");
+  add.option("--channel", options.channel, "Show the fields of this channel's newest message");
+  add.flag("--once", options.once, "Print once, as plain text, and end; so without a terminal");
+  add.flag("--json", options.json, "Print once, as JSON, and end");
+  add.option("--for", options.seconds, "How long to listen before printing once, s").within(0.1, 3600.0).show_default();
+  add.footer(
       "Keys: arrows, page up and down, home, end; Enter shows a channel's fields live, Escape goes back; q quits.\n"
       "Hz, bandwidth and writers are of the last 5 s; lost is counted by seq since bus-top listens; stale channels, "
       "older than three of their intervals, are grey, those with losses or undecodable messages bold.\n"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <string>
 
@@ -8,6 +7,10 @@
 #include "common/bus/listener.hpp"
 #include "services/bus-top/bus_watch.hpp"
 #include "services/bus-top/navigation.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace markservo::bus_top {
 

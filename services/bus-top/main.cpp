@@ -6,8 +6,9 @@
 
 int main(int argc, char** argv) {
   using namespace markservo;
-  CLI::App app("Shows every channel on the bus: type, rate, losses, and the newest message's fields", "bus-top");
   bus_top::BusTopOptions options;
-  bus_top::add_options(app, options);
-  return bus::run_tool(app, argc, argv, [&options] { return bus_top::BusTopNode(options).run(); });
+  return bus::run_tool(
+      {"bus-top", "Shows every channel on the bus: type, rate, losses, and the newest message's fields"}, argc, argv,
+      [&options](CLI::App& app) { bus_top::add_options(app, options); },
+      [&options] { return bus_top::BusTopNode(options).run(); });
 }

@@ -1,16 +1,17 @@
 // Looks into LCM logs, mends them, cuts them, compares them, plays them.
 //   in: log files     out: log files, CSV, PNG, text or JSON; `play` writes to a bus
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "common/bus/bus.hpp"
-#include "common/bus/number_options.hpp"
-#include "common/bus/service.hpp"
+#include "common/bus/bus_unavailable.hpp"
+#include "common/bus/bus_url.hpp"
+#include "common/bus/command_line.hpp"
+#include "common/bus/exit_code.hpp"
+#include "common/bus/options.hpp"
 #include "common/reflection/type_catalog.hpp"
 #include "common/reflection/value_text.hpp"
 #include "services/log-tool/comparison_report.hpp"
@@ -25,6 +26,7 @@
 namespace {
 
 using namespace markservo::log_tool;
+using Add = markservo::bus::Options;
 using markservo::reflection::json_text;
 using markservo::reflection::TypeCatalog;
 
@@ -153,97 +155,86 @@ int types(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  markservo::bus::CommandLine command_line(
+      "log-tool",
       "Looks into LCM logs, mends, cuts, exports, compares and plays them. A LOG is a file or a recording's folder.\n"
       "Exits 0 when all is well, 1 for a damaged log, a difference or a bus in use, 2 for what is no log or a wrong\n"
-      "option, 3 for a bus that cannot be joined."};
-  app.require_subcommand(1);
+      "option, 3 for a bus that cannot be joined.");
   Options options;
   std::function<int(const Options&)> action;
   const auto command = [&](const char* name, const char* what, std::function<int(const Options&)> run) {
-    CLI::App* sub = app.add_subcommand(name, what);
-    sub->callback([&action, run = std::move(run)] { action = run; });
-    return sub;
+    return Add(command_line.add_command(name, what, [&action, run = std::move(run)] { action = run; }));
   };
-  const auto add_choice = [&options](CLI::App* sub) {
+  const auto add_choice = [&options](const Add& add) {
     // A range also refuses what is no number.
-    sub->add_option("--from", options.choice.from, "s after the log's first event")
-        ->check(markservo::bus::Within(-1e9, 1e9));
-    sub->add_option("--to", options.choice.to, "s after the log's first event, that instant not included")
-        ->check(markservo::bus::Within(-1e9, 1e9));
-    sub->add_option("--channel", options.choice.channels, "These channels only (regular expression; may be repeated)")
-        ->allow_extra_args(false);
-    sub->add_option("--without", options.choice.without, "Not these channels")->allow_extra_args(false);
+    add.option("--from", options.choice.from, "s after the log's first event").within(-1e9, 1e9);
+    add.option("--to", options.choice.to, "s after the log's first event, that instant not included").within(-1e9, 1e9);
+    add.option("--channel", options.choice.channels, "These channels only (regular expression; may be repeated)")
+        .one_at_a_time();
+    add.option("--without", options.choice.without, "Not these channels").one_at_a_time();
   };
 
-  CLI::App* sub = command("info", "Channels, types, rates, gaps, losses, span, damage", info);
-  sub->add_option("LOG", options.inputs)->required();
-  sub->add_flag("--json", options.json, "JSON for programs");
+  Add add = command("info", "Channels, types, rates, gaps, losses, span, damage", info);
+  add.option("LOG", options.inputs).required();
+  add.flag("--json", options.json, "JSON for programs");
 
-  sub = command("verify", "Says where the log is damaged and what cannot be decoded", verify);
-  sub->add_option("LOG", options.inputs)->required();
+  add = command("verify", "Says where the log is damaged and what cannot be decoded", verify);
+  add.option("LOG", options.inputs).required();
 
-  sub = command("repair", "Writes all events that can be read to a new log", repair);
-  sub->add_option("LOG", options.input)->required();
-  sub->add_option("NEW", options.output)->required();
+  add = command("repair", "Writes all events that can be read to a new log", repair);
+  add.option("LOG", options.input).required();
+  add.option("NEW", options.output).required();
 
-  sub = command("cut", "Writes a part of the log, by time and channel, to a new log", cut);
-  sub->add_option("LOG", options.input)->required();
-  sub->add_option("NEW", options.output)->required();
-  add_choice(sub);
+  add = command("cut", "Writes a part of the log, by time and channel, to a new log", cut);
+  add.option("LOG", options.input).required();
+  add.option("NEW", options.output).required();
+  add_choice(add);
 
-  sub = command("export", "Writes CSV per channel and PNG per stereo frame into a folder", export_log);
-  sub->add_option("LOG", options.input)->required();
-  sub->add_option("FOLDER", options.output)->required();
-  add_choice(sub);
+  add = command("export", "Writes CSV per channel and PNG per stereo frame into a folder", export_log);
+  add.option("LOG", options.input).required();
+  add.option("FOLDER", options.output).required();
+  add_choice(add);
 
-  sub = command("extract-config", "Writes the configuration files that a recording kept into a new folder", extract);
-  sub->add_option("RECORDING", options.input)->required();
-  sub->add_option("FOLDER", options.output)->required();
+  add = command("extract-config", "Writes the configuration files that a recording kept into a new folder", extract);
+  add.option("RECORDING", options.input).required();
+  add.option("FOLDER", options.output).required();
 
-  sub = command("compare", "Compares what a replay wrote with what was recorded", compare_logs);
-  sub->add_option("RECORDED", options.input)->required();
-  sub->add_option("REPLAYED", options.other)->required();
-  sub->add_option("--tolerance", options.comparison.tolerance, "Of numbers, absolute and relative, SI units")
-      ->check(markservo::bus::Within(0.0, 1e9))
-      ->capture_default_str();
-  sub->add_flag("--complete", options.complete,
-                "A message that was not recorded, or recorded only, is a difference too");
-  sub->add_flag("--exact", options.exact, "Demand the same sequence of channels and payloads, byte by byte");
+  add = command("compare", "Compares what a replay wrote with what was recorded", compare_logs);
+  add.option("RECORDED", options.input).required();
+  add.option("REPLAYED", options.other).required();
+  add.option("--tolerance", options.comparison.tolerance, "Of numbers, absolute and relative, SI units")
+      .within(0.0, 1e9)
+      .show_default();
+  add.flag("--complete", options.complete, "A message that was not recorded, or recorded only, is a difference too");
+  add.flag("--exact", options.exact, "Demand the same sequence of channels and payloads, byte by byte");
 
-  sub =
+  add =
       command("splice", "Replaces the channels of DERIVED in RECORDED: what the next service would have heard", splice);
-  sub->add_option("RECORDED", options.input)->required();
-  sub->add_option("DERIVED", options.other)->required();
-  sub->add_option("NEW", options.output)->required();
-  sub->add_option("--without", options.choice.without, "Not these channels of RECORDED")->allow_extra_args(false);
+  add.option("RECORDED", options.input).required();
+  add.option("DERIVED", options.other).required();
+  add.option("NEW", options.output).required();
+  add.option("--without", options.choice.without, "Not these channels of RECORDED").one_at_a_time();
 
-  sub = command("play", "Plays to a bus what moves no robot", play_log);
-  sub->add_option("LOG", options.input)->required();
+  add = command("play", "Plays to a bus what moves no robot", play_log);
+  add.option("LOG", options.input).required();
   const auto no_live_bus = [](const std::string& url) {
     const bool live = markservo::bus::is_udpm(url) || url.rfind("tcpq://", 0) == 0;
     return live ? std::string() : url + ": allowed are udpm:// and tcpq://, a bus that others are on";
   };
-  sub->add_option("--lcm-url", options.play.url, "The bus")
-      ->envname("MARKSERVO_LCM_URL")
-      ->check(CLI::Validator(no_live_bus, "udpm:// or tcpq://"))
-      ->capture_default_str();
-  sub->add_option("--speed", options.play.speed, "Times the recorded pace")
-      ->check(markservo::bus::Within(1e-6, 1e6))
-      ->capture_default_str();
-  sub->add_option("--channel", options.play.channels,
-                  "These channels only (regular expression), also such as the table of channels does not have");
-  sub->add_flag("--all", options.play.all, "Also what moves a robot or speaks for what is there now");
-  sub->add_flag("--join", options.play.join, "Beside others: leaves out what somebody writes and what feeds motion");
+  add.option("--lcm-url", options.play.url, "The bus")
+      .environment("MARKSERVO_LCM_URL")
+      .check(no_live_bus, "udpm:// or tcpq://")
+      .show_default();
+  add.option("--speed", options.play.speed, "Times the recorded pace").within(1e-6, 1e6).show_default();
+  add.option("--channel", options.play.channels,
+             "These channels only (regular expression), also such as the table of channels does not have");
+  add.flag("--all", options.play.all, "Also what moves a robot or speaks for what is there now");
+  add.flag("--join", options.play.join, "Beside others: leaves out what somebody writes and what feeds motion");
 
-  sub = command("types", "The message types that this build knows, with their fingerprints", types);
-  sub->add_flag("--json", options.json, "JSON for programs");
+  add = command("types", "The message types that this build knows, with their fingerprints", types);
+  add.flag("--json", options.json, "JSON for programs");
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kGood : kBadInput;
-  }
+  if (const auto exit_code = command_line.parse(argc, argv)) return *exit_code;
   try {
     return action(options);
   } catch (const std::exception& error) {

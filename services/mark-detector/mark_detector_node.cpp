@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/bus/number_options.hpp"
+#include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/detection_message.hpp"
 #include "services/mark-detector/mark_option.hpp"
@@ -46,33 +46,33 @@ cv::Mat decode(const StereoFrame& frame, const std::vector<std::uint8_t>& side, 
 }  // namespace
 
 void MarkDetectorNode::add_options(CLI::App& app) {
-  app.add_flag("--no-equalise", no_equalise_, "Take images as they are, without histogram equalisation");
-  app.add_flag("--no-adapt", no_adapt_, "Keep the marks' colour intervals as they are, whatever the light does");
-  app.add_option("--mark", mark_texts_,
-                 "Look for this instead of the robot's marks: NAME=hue_min:hue_max:sat_min:sat_max:val_min:val_max"
-                 "[:free], hue in degrees (wraps), saturation and value 0 to 1");
-  app.add_option("--min-area", parameters_.views.min_area, "Smallest blob that can be a mark, px")
-      ->check(CLI::Range(1, 1'000'000'000))
-      ->capture_default_str();
-  app.add_option("--chroma-min", parameters_.chroma_min, "Least difference of the channels that tells a colour, levels")
-      ->check(CLI::Range(0, 255))
-      ->capture_default_str();
-  app.add_option("--row-tolerance", parameters_.views.selection.row_tolerance,
-                 "How far a mark's rows may differ between the images, px")
-      ->check(bus::Within(0.0, 1e6))
-      ->capture_default_str();
-  app.add_option("--memory-frames", parameters_.search.memory_frames,
-                 "Frames for which the place of an unseen mark is remembered")
-      ->check(CLI::Range(0, 1'000'000'000))
-      ->capture_default_str();
-  app.add_option("--patch-limit", parameters_.patch.limit, "Largest patch, px a side; larger marks are averaged down")
-      ->check(CLI::Range(1, 16384))
-      ->capture_default_str();
-  app.add_option(
-         "--patch-budget", patch_budget_,
-         "All patches of a pair together, bytes; 0: 131072, growing with the square of a --patch-limit above 128")
-      ->check(CLI::Range(0, 1'000'000'000))
-      ->capture_default_str();
+  const bus::Options add(app);
+  add.flag("--no-equalise", no_equalise_, "Take images as they are, without histogram equalisation");
+  add.flag("--no-adapt", no_adapt_, "Keep the marks' colour intervals as they are, whatever the light does");
+  add.option("--mark", mark_texts_,
+             "Look for this instead of the robot's marks: NAME=hue_min:hue_max:sat_min:sat_max:val_min:val_max"
+             "[:free], hue in degrees (wraps), saturation and value 0 to 1");
+  add.option("--min-area", parameters_.views.min_area, "Smallest blob that can be a mark, px")
+      .in_range(1, 1'000'000'000)
+      .show_default();
+  add.option("--chroma-min", parameters_.chroma_min, "Least difference of the channels that tells a colour, levels")
+      .in_range(0, 255)
+      .show_default();
+  add.option("--row-tolerance", parameters_.views.selection.row_tolerance,
+             "How far a mark's rows may differ between the images, px")
+      .within(0.0, 1e6)
+      .show_default();
+  add.option("--memory-frames", parameters_.search.memory_frames,
+             "Frames for which the place of an unseen mark is remembered")
+      .in_range(0, 1'000'000'000)
+      .show_default();
+  add.option("--patch-limit", parameters_.patch.limit, "Largest patch, px a side; larger marks are averaged down")
+      .in_range(1, 16384)
+      .show_default();
+  add.option("--patch-budget", patch_budget_,
+             "All patches of a pair together, bytes; 0: 131072, growing with the square of a --patch-limit above 128")
+      .in_range(0, 1'000'000'000)
+      .show_default();
 
   picture_.add_to(app);
   learn_.add_to(app);

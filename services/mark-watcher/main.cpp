@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <markservo/TargetPose.hpp>
 
+#include "common/bus/options.hpp"
 #include "common/bus/service.hpp"
 #include "common/messages/state_codes.hpp"
 #include "common/robot/require_mark.hpp"
@@ -17,7 +18,9 @@ namespace {
 class MarkWatcher : public markservo::bus::Service {
  public:
   // Options of your own; a --config file may set them too.
-  void add_options(CLI::App& app) override { app.add_option("--mark", only_, "Print this mark only"); }
+  void add_options(CLI::App& app) override {
+    markservo::bus::Options(app).option("--mark", only_, "Print this mark only");
+  }
 
   // Read your files and check your settings here; throw ConfigurationError to end with exit code 2.
   void configure(const std::string& robot_file) override {

@@ -6,9 +6,10 @@
 
 #include "common/bus/number_options.hpp"
 #include "common/geometry/plane_pose.hpp"
+#include "common/bus/options.hpp"
 #include "common/messages/motion_messages.hpp"
-#include "common/messages/state_codes.hpp"
 #include "common/logging/log.hpp"
+#include "common/messages/state_codes.hpp"
 #include "common/motion/mover_watch.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/states/localisation_state.hpp"
@@ -17,21 +18,22 @@
 namespace markservo::rfid_localizer {
 void RfidLocalizerNode::add_options(CLI::App& app) {
   const bus::NumberOptions number(app);
-  app.add_option("--method", method_,
-                 "Whose pose ROBOT_POSE carries: filter, or paper: weighted average, Hough direction, compensated "
-                 "delay. Its paper part carries the paper's values either way")
-      ->check(CLI::IsMember({"filter", "paper"}))
-      ->capture_default_str();
-  app.add_option("--stop-device", stop_device_, "The base's name in STOP_STATE: whose WHEEL_ODOMETRY counts")
-      ->capture_default_str();
-  app.add_option("--tag-field", field_, "Field of floor tags in robot.yaml; default: its floor_tags.in_use");
-  app.add_option("--delay", delay_, "From the middle of a reader's round to its arrival, s; default: robot.yaml's")
-      ->check(bus::Within(0.0, 5.0));
-  app.add_option("--delay-sigma", delay_sigma_,
-                 "How well that is known, s; default: robot.yaml's. The filter improves on it when the speed changes")
-      ->check(bus::Within(0.0, 1.0));
-  app.add_option("--start-heading", start_heading_deg_, "The robot's heading at the start, deg; default: not known")
-      ->check(bus::Within(-360.0, 360.0));
+  const bus::Options add(app);
+  add.option("--method", method_,
+             "Whose pose ROBOT_POSE carries: filter, or paper: weighted average, Hough direction, compensated "
+             "delay. Its paper part carries the paper's values either way")
+      .one_of({"filter", "paper"})
+      .show_default();
+  add.option("--stop-device", stop_device_, "The base's name in STOP_STATE: whose WHEEL_ODOMETRY counts")
+      .show_default();
+  add.option("--tag-field", field_, "Field of floor tags in robot.yaml; default: its floor_tags.in_use");
+  add.option("--delay", delay_, "From the middle of a reader's round to its arrival, s; default: robot.yaml's")
+      .within(0.0, 5.0);
+  add.option("--delay-sigma", delay_sigma_,
+             "How well that is known, s; default: robot.yaml's. The filter improves on it when the speed changes")
+      .within(0.0, 1.0);
+  add.option("--start-heading", start_heading_deg_, "The robot's heading at the start, deg; default: not known")
+      .within(-360.0, 360.0);
   number("--start-heading-sigma", start_heading_sigma_deg_, "How well that is known, deg", 0.1, 60.0);
   number("--slip-margin", slip_margin_, "On robot.yaml's drift of the heading: what floors add to it", 1.0, 10.0);
   number("--lost-sigma", parameters_.trust.largest_sigma, "Position less well known counts as lost, m", 0.01, 10.0);

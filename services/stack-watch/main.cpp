@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 
-#include <memory>
-
-#include "common/bus/number_options.hpp"
+#include "common/bus/bus_url.hpp"
+#include "common/bus/log_format.hpp"
+#include "common/bus/options.hpp"
 #include "common/bus/service.hpp"
 #include "common/bus/tool.hpp"
 #include "services/stack-watch/answering_device.hpp"
@@ -28,21 +28,25 @@ int run(const watch::StackWatchSettings& settings, const std::string& socket) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Runs beside a stack: kills a service that hangs, and tells how all are", "stack-watch");
   watch::StackWatchSettings settings;
   settings.url = markservo::bus::kDefaultUrl;
   std::string socket;
   double silence_s = 1e-6 * static_cast<double>(settings.silence.silence_us);
-  markservo::bus::add_live_bus_option(app, settings.url);
-  app.add_option("--robot", settings.robot, "Prefix of all channels, for several robots on one bus");
-  app.add_option("--supervisor", settings.supervisor, "supervisord's socket")->required();
-  app.add_option("--socket", socket, "Where it answers")->required();
-  app.add_option("--silence", silence_s,
-                 "A service that spoke and then says nothing for so long is killed, s (for its first word: 15 s)")
-      ->check(markservo::bus::Within(2.0, 3600.0))
-      ->capture_default_str();
-  return markservo::bus::run_tool(app, argc, argv, [&] {
-    settings.silence.silence_us = static_cast<int64_t>(1e6 * silence_s);
-    return run(settings, socket);
-  });
+  const auto add_options = [&](CLI::App& app) {
+    markservo::bus::add_live_bus_option(app, settings.url);
+    const markservo::bus::Options add(app);
+    add.option("--robot", settings.robot, "Prefix of all channels, for several robots on one bus");
+    add.option("--supervisor", settings.supervisor, "supervisord's socket").required();
+    add.option("--socket", socket, "Where it answers").required();
+    add.option("--silence", silence_s,
+               "A service that spoke and then says nothing for so long is killed, s (for its first word: 15 s)")
+        .within(2.0, 3600.0)
+        .show_default();
+  };
+  return markservo::bus::run_tool(
+      {"stack-watch", "Runs beside a stack: kills a service that hangs, and tells how all are"}, argc, argv,
+      add_options, [&] {
+        settings.silence.silence_us = static_cast<std::int64_t>(1e6 * silence_s);
+        return run(settings, socket);
+      });
 }

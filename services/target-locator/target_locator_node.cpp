@@ -13,27 +13,27 @@
 namespace markservo::target_locator {
 
 void TargetLocatorNode::add_options(CLI::App& app) {
-  app.add_option("--method", method_, "refined: sub-pixel, checked; paper: the paper's matching as it stands")
-      ->check(CLI::IsMember({"refined", "paper"}))
-      ->capture_default_str();
-  app.add_option("--surface", surface_texts_,
-                 "NAME=plane or NAME=free: what the mark is, instead of robot.yaml's word");
-  app.add_option("--max-features", parameters_.features.max_features, "Most feature points per mark")
-      ->check(CLI::Range(6, 100000))
-      ->capture_default_str();
-  app.add_option("--min-matches", parameters_.min_matches, "Fewest matches that carry a position")
-      ->check(CLI::Range(3, 1000))
-      ->capture_default_str();
-  app.add_option("--disparity-min", parameters_.free_surface.search.disparity_min,
-                 "Free surfaces: smallest disparity looked for, px; with --disparity-max, else the boxes tell")
-      ->capture_default_str();
-  app.add_option("--disparity-max", parameters_.free_surface.search.disparity_max,
-                 "Free surfaces: largest disparity looked for, px")
-      ->capture_default_str();
-  app.add_option("--paper-window", parameters_.paper.window,
-                 "--method paper: side of the search window over the side of the mark's box (a of eq. 3)")
-      ->check(bus::Within(0.01, 4.0))
-      ->capture_default_str();
+  const bus::Options add(app);
+  add.option("--method", method_, "refined: sub-pixel, checked; paper: the paper's matching as it stands")
+      .one_of({"refined", "paper"})
+      .show_default();
+  add.option("--surface", surface_texts_, "NAME=plane or NAME=free: what the mark is, instead of robot.yaml's word");
+  add.option("--max-features", parameters_.features.max_features, "Most feature points per mark")
+      .in_range(6, 100000)
+      .show_default();
+  add.option("--min-matches", parameters_.min_matches, "Fewest matches that carry a position")
+      .in_range(3, 1000)
+      .show_default();
+  add.option("--disparity-min", parameters_.free_surface.search.disparity_min,
+             "Free surfaces: smallest disparity looked for, px; with --disparity-max, else the boxes tell")
+      .show_default();
+  add.option("--disparity-max", parameters_.free_surface.search.disparity_max,
+             "Free surfaces: largest disparity looked for, px")
+      .show_default();
+  add.option("--paper-window", parameters_.paper.window,
+             "--method paper: side of the search window over the side of the mark's box (a of eq. 3)")
+      .within(0.01, 4.0)
+      .show_default();
 }
 
 void TargetLocatorNode::configure(const std::string& robot_file) {

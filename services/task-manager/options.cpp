@@ -1,10 +1,12 @@
 #include "services/task-manager/options.hpp"
 
 #include "common/bus/number_options.hpp"
+#include "common/bus/options.hpp"
 
 namespace markservo::task_manager {
 
 void add_parameter_options(CLI::App& app, Parameters& p) {
+  const bus::Options add(app);
   const bus::NumberOptions number(app);
   number("--drive-speed", p.drive.speed, "m/s, of the base, at most", 0.01, 10.0);
   number("--drive-clearance", p.drive.clearance, "m, how near the base may come to what its sonars see", 0.0, 5.0);
@@ -12,14 +14,12 @@ void add_parameter_options(CLI::App& app, Parameters& p) {
   number("--drive-stuck-timeout", p.drive.stuck_timeout, "s, the base blocked or lost: give up", 0.5, 3600.0);
   number("--drive-silent-timeout", p.drive.silent_timeout, "s, base-navigator silent or its input stale", 0.2, 120.0);
   number("--drive-timeout", p.drive.timeout, "s, for each drive", 1.0, 36000.0);
-  app.add_option("--drive-corrections", p.drive.corrections, "Drives that may follow to bring the target within reach")
-      ->check(CLI::Range(0, 10))
-      ->capture_default_str();
+  add.option("--drive-corrections", p.drive.corrections, "Drives that may follow to bring the target within reach")
+      .in_range(0, 10)
+      .show_default();
   number("--drive-target-depth", p.drive.target_depth, "m before the lenses, where those bring the target", 0.05, 2.0);
-  app.add_option("--tag-field", p.drive.tag_field, "Field of floor tags in robot.yaml; default: its floor_tags.in_use");
-  app.add_option("--look-frames", p.look.frames, "Frames averaged before deciding")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
+  add.option("--tag-field", p.drive.tag_field, "Field of floor tags in robot.yaml; default: its floor_tags.in_use");
+  add.option("--look-frames", p.look.frames, "Frames averaged before deciding").in_range(1, 100).show_default();
   number("--unseen-time", p.look.unseen_time, "s, a target not located for so long counts as unseen", 0.1, 60.0);
   number("--free-speed", p.motion.free_speed, "m/s, of the hand before the row of objects", 0.005, 1.0);
   number("--near-speed", p.motion.near_speed, "m/s, of the hand among the objects or with one", 0.005, 1.0);

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "services/task-manager/parameters.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace markservo::task_manager {
 

@@ -21,8 +21,9 @@ using messages::stamp_of;
 }  // namespace
 
 void TaskManagerNode::add_options(CLI::App& app) {
-  app.add_option("--arm-device", arm_device_, "The arm's name in STOP_STATE")->capture_default_str();
-  app.add_option("--base-device", base_device_, "The base's name in STOP_STATE")->capture_default_str();
+  const bus::Options add(app);
+  add.option("--arm-device", arm_device_, "The arm's name in STOP_STATE").show_default();
+  add.option("--base-device", base_device_, "The base's name in STOP_STATE").show_default();
   add_parameter_options(app, parameters_);
 }
 

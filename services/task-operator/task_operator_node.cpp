@@ -5,7 +5,7 @@
 #include <iostream>
 #include <map>
 
-#include "common/bus/number_options.hpp"
+#include "common/bus/options.hpp"
 #include "common/messages/motion_messages.hpp"
 #include "common/messages/state_codes.hpp"
 #include "common/motion/mover_watch.hpp"
@@ -58,22 +58,23 @@ std::string targets_of(const robot::RobotDescription& robot) {
 }  // namespace
 
 void TaskOperatorNode::add_options(CLI::App& app) {
-  app.add_option("ACTION", action_text_,
-                 "start: take --target, and tell how it goes; abort: hold where the arm is; home: back to the home "
-                 "posture; stop: nothing moves until reset; reset: release the stop, and move nothing")
-      ->required()
-      ->configurable(false)
-      ->check(CLI::IsMember({"start", "abort", "home", "stop", "reset"}));
-  app.add_option("--target", target_, "start: whose mark to take");
-  app.add_option("--drive", drive_, "start: X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
-      ->delimiter(',')
-      ->expected(3);
-  app.add_flag("--carry", carry_, "start: carry the object to the side, release it there and go home");
-  app.add_option("--source", source_, "stop, reset: who asks, for the logs")->capture_default_str();
-  app.add_option("--patience", parameters_.patience, "How long to wait for an answer, s")
-      ->check(bus::Within(0.1, 3600.0))
-      ->capture_default_str();
-  app.footer(
+  const bus::Options add(app);
+  add.option("ACTION", action_text_,
+             "start: take --target, and tell how it goes; abort: hold where the arm is; home: back to the home "
+             "posture; stop: nothing moves until reset; reset: release the stop, and move nothing")
+      .required()
+      .not_in_config()
+      .one_of({"start", "abort", "home", "stop", "reset"});
+  add.option("--target", target_, "start: whose mark to take");
+  add.option("--drive", drive_, "start: X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
+      .delimiter(',')
+      .expected(3);
+  add.flag("--carry", carry_, "start: carry the object to the side, release it there and go home");
+  add.option("--source", source_, "stop, reset: who asks, for the logs").show_default();
+  add.option("--patience", parameters_.patience, "How long to wait for an answer, s")
+      .within(0.1, 3600.0)
+      .show_default();
+  add.footer(
       "Exit codes: 0 lifted, done, stopped or released; 1 refused, failed or stopped, and why; 2 bad "
       "configuration; 3 no bus; 4 no answer, and from whom.");
 }

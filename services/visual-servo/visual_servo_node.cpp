@@ -33,16 +33,17 @@ motion::Stamp frame_of(const TargetPose& pose) {
 
 }  // namespace
 void VisualServoNode::add_options(CLI::App& app) {
+  const bus::Options add(app);
   SightParameters& sight = parameters_.sight;
   const bus::NumberOptions number(app);
-  const auto count = [&app](const char* name, int& value, const char* what, int min, int max) {
-    app.add_option(name, value, what)->check(CLI::Range(min, max))->capture_default_str();
+  const auto count = [&add](const char* name, int& value, const char* what, int min, int max) {
+    add.option(name, value, what).in_range(min, max).show_default();
   };
-  app.add_option("--law", law_, "resolved-rate: the arm's Jacobian; paper: one joint per axis (paper eq. 6)")
-      ->check(CLI::IsMember({"resolved-rate", "paper"}))
-      ->capture_default_str();
-  app.add_option("--stop-device", stop_device_, "The arm's name in STOP_STATE, one of robot.yaml's stop_devices")
-      ->capture_default_str();
+  add.option("--law", law_, "resolved-rate: the arm's Jacobian; paper: one joint per axis (paper eq. 6)")
+      .one_of({"resolved-rate", "paper"})
+      .show_default();
+  add.option("--stop-device", stop_device_, "The arm's name in STOP_STATE, one of robot.yaml's stop_devices")
+      .show_default();
   number("--gain", sight.rate.gain, "Part of the remaining way per frame", 0.05, 1.0);
   number("--damping", sight.rate.damping, "Of the Jacobian's inverse, m", 0.001, 0.1);
   number("--joint-speed", sight.rate.joint_speed, "Limit of each joint while servoing, rad/s", 0.05, 10.0);

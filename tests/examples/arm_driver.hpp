@@ -3,7 +3,6 @@
 // The worked example of services/DRIVERS.md: the driver of an arm, in as few lines as keep every rule. Its arm is the
 // simplest that can be: servos that follow at the speed they are told and report where they were sent.
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdint>
 #include <functional>

@@ -4,12 +4,12 @@
 //        JOINT_COMMAND, SIM_BASE_TRUTH, ROBOT_POSE, BASE_COMMAND, BASE_GOAL
 //   out: SIM_CONTROL, STOP, TASK_COMMAND; DIR/report.json, DIR/{look,grip,lift}.png, with --drive DIR/drive.png
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
+#include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "tests/experiments/bus_counts.hpp"
 #include "tests/experiments/demo_pictures.hpp"
@@ -322,11 +322,12 @@ int main(int argc, char** argv) {
         return markservo::experiments::run_demo(options, demo);
       },
       [&](CLI::App& app) {
-        app.add_option("--target", demo.target, "The mark of the object to take")->capture_default_str();
-        app.add_option("--drive", demo.drive, "X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
-            ->delimiter(',')
-            ->expected(3);
-        app.add_flag("--carry", demo.carry, "Carry it to the side, release it, go home");
-        app.add_flag("--lockstep", demo.lockstep, "The simulator runs in lockstep and waits for SIM_CONTROL");
+        const markservo::bus::Options add(app);
+        add.option("--target", demo.target, "The mark of the object to take").show_default();
+        add.option("--drive", demo.drive, "X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
+            .delimiter(',')
+            .expected(3);
+        add.flag("--carry", demo.carry, "Carry it to the side, release it, go home");
+        add.flag("--lockstep", demo.lockstep, "The simulator runs in lockstep and waits for SIM_CONTROL");
       });
 }

@@ -1,12 +1,13 @@
 #include "tests/experiments/experiment.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
 #include <stdexcept>
 
 #include "common/bus/bus_url.hpp"
-#include "common/bus/service.hpp"
+#include "common/bus/command_line.hpp"
+#include "common/bus/exit_code.hpp"
+#include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "tests/experiments/rig.hpp"
 
@@ -22,22 +23,16 @@ int run_experiment(const std::string& description, int default_trials, int argc,
   ExperimentOptions options;
   options.trials = default_trials;
   options.lcm_url = bus::kDefaultUrl;
-  CLI::App app(description);
-  app.add_option("--trials", options.trials, "Trials of each case")->check(CLI::Range(1, 10000))->capture_default_str();
-  app.add_option("--seed", options.seed, "Seed of the first trial")->capture_default_str();
-  app.add_option("--out", options.out, "Folder for the results")->capture_default_str();
-  app.add_option("--robot-file", options.robot_file, "The robot's description")->capture_default_str();
-  app.add_option("--scene", options.scene, "The simulated scene")->capture_default_str();
-  app.add_option("--lcm-url", options.lcm_url, "LCM bus")->envname("MARKSERVO_LCM_URL")->capture_default_str();
-  if (add_options) add_options(app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& request) {
-    return app.exit(request);
-  } catch (const CLI::Error& error) {
-    std::cerr << error.what() << "; see --help\n";
-    return bus::kExitBadConfiguration;
-  }
+  bus::CommandLine command_line("", description);
+  const bus::Options add(command_line.app());
+  add.option("--trials", options.trials, "Trials of each case").in_range(1, 10000).show_default();
+  add.option("--seed", options.seed, "Seed of the first trial").show_default();
+  add.option("--out", options.out, "Folder for the results").show_default();
+  add.option("--robot-file", options.robot_file, "The robot's description").show_default();
+  add.option("--scene", options.scene, "The simulated scene").show_default();
+  add.option("--lcm-url", options.lcm_url, "LCM bus").environment("MARKSERVO_LCM_URL").show_default();
+  if (add_options) add_options(command_line.app());
+  if (const auto exit_code = command_line.parse(argc, argv)) return *exit_code;
   try {
     std::filesystem::create_directories(options.out);
     return body(options) ? 0 : 1;

@@ -1,13 +1,13 @@
 // scripts/experiment grasp: the paper's table 3 by the whole robot: 75 cells (X and Y of the middle book, left, centre
 // or right book), each predicted from robot.yaml alone, tried, and judged by the simulator's truth.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/workspace.hpp"
 #include "tests/experiments/experiment.hpp"
@@ -196,8 +196,9 @@ int main(int argc, char** argv) {
         return markservo::experiments::experiment(options, only, set);
       },
       [&](CLI::App& app) {
-        app.add_option("--cell", only, "Only this cell: X,Y,BOOK in metres and L, C or R of the middle book's position")
-            ->delimiter(',');
-        app.add_option("--set", set, "Simulator setting of every trial, name=value");
+        const markservo::bus::Options add(app);
+        add.option("--cell", only, "Only this cell: X,Y,BOOK in metres and L, C or R of the middle book's position")
+            .delimiter(',');
+        add.option("--set", set, "Simulator setting of every trial, name=value");
       });
 }

@@ -2,12 +2,12 @@
 // the simulator's truth; ideal servos, deadband, deadband and backlash, one to three frames of delay, our law and the
 // paper's.
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "common/bus/options.hpp"
 #include "common/geometry/plane_pose.hpp"
 #include "common/robot/arm_kinematics.hpp"
 #include "common/robot/workspace.hpp"
@@ -200,9 +200,7 @@ int main(int argc, char** argv) {
         return markservo::experiments::experiment(options, laws);
       },
       [&](CLI::App& app) {
-        app.add_option("--law", laws, "Laws to try")
-            ->delimiter(',')
-            ->check(CLI::IsMember({"resolved-rate", "paper"}))
-            ->capture_default_str();
+        const markservo::bus::Options add(app);
+        add.option("--law", laws, "Laws to try").delimiter(',').one_of({"resolved-rate", "paper"}).show_default();
       });
 }

@@ -30,7 +30,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/bus_url.hpp"
-#include "common/bus/number_options.hpp"
+#include "common/bus/option_checks.hpp"
 
 namespace markservo {
 namespace {

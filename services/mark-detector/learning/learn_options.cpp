@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <sstream>
 
+#include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/learning/file_replacement.hpp"
 #include "services/mark-detector/learning/robot_file_edit.hpp"
@@ -52,17 +53,18 @@ const robot::MarkDescription& find(const robot::RobotDescription& robot, const s
 }  // namespace
 
 void LearnOptions::add_to(CLI::App& app) {
+  const bus::Options add(app);
   const char* const group = "Learn a mark's colour without a bus";
-  app.add_option("--learn", mark_, "Measure this mark's colour in the IMAGEs' boxes and write it into --robot-file")
-      ->configurable(false)
-      ->group(group);
-  app.add_option("--box", boxes_, "Where the mark is, x,y,width,height in px: once for all IMAGEs, or once for each")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false)
-      ->configurable(false)
-      ->group(group);
-  app.add_option("IMAGE", images_, "Pictures of the mark")->configurable(false)->group(group);
+  add.option("--learn", mark_, "Measure this mark's colour in the IMAGEs' boxes and write it into --robot-file")
+      .not_in_config()
+      .group(group);
+  add.option("--box", boxes_, "Where the mark is, x,y,width,height in px: once for all IMAGEs, or once for each")
+      .expected(1)
+      .take_all()
+      .one_at_a_time()
+      .not_in_config()
+      .group(group);
+  add.option("IMAGE", images_, "Pictures of the mark").not_in_config().group(group);
 }
 
 void LearnOptions::check() const {

@@ -3,11 +3,14 @@
 // mark-detector --learn NAME --box x,y,w,h IMAGE...: writes a mark's colour, as pictures show it, into the robot's
 // file.
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "services/mark-detector/learning/colour_learning.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace markservo::mark_detector {
 

@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <utility>
 
+#include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/picture/picture.hpp"
 #include "services/mark-detector/picture/picture_file.hpp"
@@ -22,20 +23,15 @@ void require_same_size(const cv::Mat& right, const std::string& right_file, cons
 }  // namespace
 
 void PictureOptions::add_to(CLI::App& app) {
+  const bus::Options add(app);
   const char* const group = "Picture without a bus";
-  app.add_option("--image", image_file_, "Look at this picture, print JSON and exit")
-      ->configurable(false)
-      ->group(group);
-  app.add_option("--right", right_file_, "The right camera's picture")->configurable(false)->group(group);
-  app.add_option("--annotate", annotated_file_, "Write the picture with what was found")
-      ->configurable(false)
-      ->group(group);
-  app.add_option("--mask-dir", mask_folder_, "Write each mark's mask into this folder")
-      ->configurable(false)
-      ->group(group);
-  app.add_flag("--all-blobs", all_blobs_, "Also every blob of a mark's colour, in JSON and masks")
-      ->configurable(false)
-      ->group(group);
+  add.option("--image", image_file_, "Look at this picture, print JSON and exit").not_in_config().group(group);
+  add.option("--right", right_file_, "The right camera's picture").not_in_config().group(group);
+  add.option("--annotate", annotated_file_, "Write the picture with what was found").not_in_config().group(group);
+  add.option("--mask-dir", mask_folder_, "Write each mark's mask into this folder").not_in_config().group(group);
+  add.flag("--all-blobs", all_blobs_, "Also every blob of a mark's colour, in JSON and masks")
+      .not_in_config()
+      .group(group);
 }
 
 void PictureOptions::check() const {

@@ -2,10 +2,13 @@
 
 // mark-detector --image PICTURE: what the detector finds in a picture, without a bus.
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "services/mark-detector/mark_detector.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace markservo::mark_detector {
 

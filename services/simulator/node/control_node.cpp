@@ -2,9 +2,9 @@
 
 #include <exception>
 
-#include "common/messages/motion_messages.hpp"
 #include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/messages/motion_messages.hpp"
 #include "services/simulator/messages/truth_messages.hpp"
 
 namespace markservo::simulator {

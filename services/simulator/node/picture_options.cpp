@@ -2,6 +2,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/require_mark.hpp"
 #include "services/simulator/marks/print_sheet.hpp"
@@ -22,15 +23,16 @@ void write_picture(const char* option, const std::string& file, const cv::Mat& p
 }  // namespace
 
 void add_picture_options(CLI::App& app, PictureOptions& options) {
-  app.add_option("--snapshot", options.snapshot, "Write one picture pair, side by side, to this file and exit")
-      ->configurable(false);
-  auto* mark =
-      app.add_option("--print-mark", options.print_mark, "Write this mark in its true size, to be printed, and exit")
-          ->configurable(false);
-  app.add_option("--print-to", options.print_to, "With --print-mark: the picture, an A4 page of 600 dots per inch")
-      ->needs(mark)
-      ->capture_default_str()
-      ->configurable(false);
+  const bus::Options add(app);
+  add.option("--snapshot", options.snapshot, "Write one picture pair, side by side, to this file and exit")
+      .not_in_config();
+  const bus::Option mark =
+      add.option("--print-mark", options.print_mark, "Write this mark in its true size, to be printed, and exit")
+          .not_in_config();
+  add.option("--print-to", options.print_to, "With --print-mark: the picture, an A4 page of 600 dots per inch")
+      .needs(mark)
+      .show_default()
+      .not_in_config();
 }
 
 void write_print_sheet(const PictureOptions& options, const robot::RobotDescription& robot,

@@ -2,12 +2,15 @@
 
 // Pictures that a person asks the simulator for, without a bus.
 
-#include <CLI/CLI.hpp>
 #include <opencv2/core.hpp>
 #include <string>
 
 #include "common/robot/robot_description.hpp"
 #include "services/simulator/scene/scene.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace markservo::simulator {
 

@@ -1,12 +1,15 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <markservo/channels.hpp>
 #include <string>
 #include <vector>
 
 #include "services/simulator/node/picture_options.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace markservo::simulator {
 

@@ -7,13 +7,13 @@
 #include <markservo/TaskState.hpp>
 #include <stdexcept>
 
-namespace markservo::simulator {
-namespace {
 #include "common/logging/log.hpp"
 #include "services/simulator/node/base_node.hpp"
 
 
 constexpr std::int64_t kJointStatePeriod_us = 10'000;
+namespace markservo::simulator {
+namespace {
 
 }  // namespace
 

@@ -26,6 +26,7 @@ class WorldNode {
   // `simulation` and `cameras` outlive this. `awaited` answers are noted for lockstep. `jpeg_quality` as FrameNode's.
   WorldNode(bus::Bus& bus, Simulation& simulation, Cameras& cameras, const AwaitedChannels& awaited, int jpeg_quality);
   WorldNode(const WorldNode&) = delete;
+  ~WorldNode();
   WorldNode& operator=(const WorldNode&) = delete;
 
   // Lets a step pass and sends what arm and stop tell after it. Where physics diverged, the world begins anew and the

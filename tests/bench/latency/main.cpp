@@ -12,7 +12,7 @@
 
 #include "common/bus/bus_url.hpp"
 #include "common/bus/network_check.hpp"
-#include "common/bus/number_options.hpp"
+#include "common/bus/option_checks.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "tests/bench/bench_marks.hpp"
 #include "tests/bench/latency/latency_report.hpp"

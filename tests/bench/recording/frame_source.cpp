@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "common/bus/bus_url.hpp"
-#include "common/bus/number_options.hpp"
+#include "common/bus/option_checks.hpp"
 #include "common/bus/publisher.hpp"
 #include "common/bus/session.hpp"
 #include "common/robot/configuration_error.hpp"

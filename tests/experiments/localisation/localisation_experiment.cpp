@@ -1,7 +1,6 @@
 // scripts/experiment localisation: how well the pose is known while the base drives over the tag field; ours beside the
 // paper's method and beside the Fisher bound of the same drives.
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +8,7 @@
 #include <future>
 #include <mutex>
 
+#include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "tests/experiments/experiment.hpp"
 #include "tests/experiments/localisation/localisation_plots.hpp"
@@ -98,5 +98,7 @@ int main(int argc, char** argv) {
   return run_experiment(
       "The robot's pose from floor tags and encoders: ours, the paper's method and the Fisher bound", 50, argc, argv,
       [&names](const ExperimentOptions& options) { return experiment(options, names); },
-      [&names](CLI::App& app) { app.add_option("--case", names, "One case, by name; may be repeated; default: all"); });
+      [&names](CLI::App& app) {
+        markservo::bus::Options(app).option("--case", names, "One case, by name; may be repeated; default: all");
+      });
 }

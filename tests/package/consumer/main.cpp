@@ -27,7 +27,9 @@ const markservo::channels::Channel<gauge::MarkHeight> kMarkHeight{
 
 class MarkGauge : public markservo::bus::Service {
  public:
-  void add_options(CLI::App& app) override { app.add_option("--least", least_, "Tell of marks above this, m"); }
+  void add_options(CLI::App& app) override {
+    markservo::bus::Options(app).option("--least", least_, "Tell of marks above this, m");
+  }
   void configure(const std::string&) override {}
 
   void start(markservo::bus::Bus& bus) override {

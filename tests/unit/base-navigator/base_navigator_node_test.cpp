@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <markservo/BaseGoal.hpp>
 #include <markservo/ServiceStatus.hpp>

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <markservo/ServiceStatus.hpp>
 #include <opencv2/imgcodecs.hpp>
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <markservo/JointState.hpp>
 #include <markservo/ServiceStatus.hpp>
 #include <markservo/ServoGoal.hpp>
