@@ -4,17 +4,19 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <lcm/lcm-cpp.hpp>
 #include <markservo/ServiceStatus.hpp>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 
+#include "common/bus/connection.hpp"
 #include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
 #include "common/bus/session.hpp"
+#include "common/logging/log.hpp"
 #include "common/time/clocks.hpp"
 
-#include "common/logging/log.hpp"
 namespace markservo::bus {
 namespace {
 
@@ -115,6 +117,10 @@ bool Bus::send(const std::string& full_channel, const void* data, std::size_t si
 
 void Bus::every(milliseconds period, std::function<void()> task) {
   timers_.push_back({period, steady_clock::now() + period, std::move(task)});
+}
+
+int Bus::descriptor() const {
+  return in_->descriptor();
 }
 
 milliseconds Bus::until_next_timer(milliseconds limit) const {

@@ -25,18 +25,22 @@
 
 #include "common/bus/bus_unavailable.hpp"
 #include "common/bus/bus_url.hpp"
-#include "common/bus/connection.hpp"
 #include "common/bus/health.hpp"
 #include "common/bus/publisher.hpp"
 #include "common/bus/raw_subscription.hpp"
 #include "common/bus/subscription.hpp"
 #include "common/bus/time_line.hpp"
 
+namespace lcm {
+class LCM;
+}
 namespace markservo {
 class ServiceStatus;
 }
 
 namespace markservo::bus {
+
+class Connection;
 
 // How long a channel that is needed may be silent, s: above the pauses of a busy machine and of a service that is
 // restarted, and well below the 5 s after which nobody may call a deaf service ready.
@@ -112,7 +116,7 @@ class Bus final : private SubscriptionHost, private MessageSink {
   void stop() { stopped_ = true; }
   // Readable when messages wait: for who waits on more than this bus, with poll(2), and then calls poll(0).
   // Another one after the network was gone; -1 while it is.
-  int descriptor() const { return in_->descriptor(); }
+  int descriptor() const;
 
   // The newest utime on any subscribed channel, us: what "now" means to the algorithms; 0 before the first message.
   int64_t newest_utime() const override { return time_line_.newest(); }

@@ -1,14 +1,7 @@
 #pragma once
 
 #include <chrono>
-#include <markservo/BaseCommand.hpp>
-#include <markservo/BaseGoal.hpp>
-#include <markservo/BaseStatus.hpp>
-#include <markservo/RobotPose.hpp>
-#include <markservo/SonarScan.hpp>
-#include <markservo/StopRequest.hpp>
-#include <markservo/StopState.hpp>
-#include <markservo/WheelOdometry.hpp>
+#include <markservo/channels.hpp>
 #include <memory>
 #include <optional>
 #include <string>

@@ -1,6 +1,12 @@
 #include "services/base-navigator/navigator_messages.hpp"
 
 #include <cmath>
+#include <markservo/BaseCommand.hpp>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
+#include <markservo/RobotPose.hpp>
+#include <markservo/SonarScan.hpp>
+#include <markservo/WheelOdometry.hpp>
 
 #include "common/messages/state_codes.hpp"
 

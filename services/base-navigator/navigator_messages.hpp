@@ -2,12 +2,7 @@
 
 // Between messages and the navigator core's own structs.
 
-#include <markservo/BaseCommand.hpp>
-#include <markservo/BaseGoal.hpp>
-#include <markservo/BaseStatus.hpp>
-#include <markservo/RobotPose.hpp>
-#include <markservo/SonarScan.hpp>
-#include <markservo/WheelOdometry.hpp>
+#include <markservo/channels.hpp>
 
 #include "services/base-navigator/answer_pacing.hpp"
 #include "services/base-navigator/navigator_types.hpp"

@@ -1,5 +1,7 @@
 #include "services/mark-detector/detection_message.hpp"
 
+#include <markservo/MarkDetection.hpp>
+#include <markservo/StereoFrame.hpp>
 #include <utility>
 
 namespace markservo::mark_detector {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <markservo/MarkDetection.hpp>
-#include <markservo/StereoFrame.hpp>
+#include <markservo/channels.hpp>
 
 #include "services/mark-detector/detector_output.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <future>
+#include <markservo/MarkDetection.hpp>
+#include <markservo/StereoFrame.hpp>
 #include <set>
 #include <stdexcept>
 #include <utility>

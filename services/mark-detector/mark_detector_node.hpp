@@ -3,8 +3,7 @@
 // Reads STEREO_FRAME, writes MARK_DETECTION: one for each frame that is worked on. Or, without a bus, looks at a
 // picture or learns a mark's colour.
 
-#include <markservo/MarkDetection.hpp>
-#include <markservo/StereoFrame.hpp>
+#include <markservo/channels.hpp>
 #include <optional>
 #include <string>
 #include <vector>

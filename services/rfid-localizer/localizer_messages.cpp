@@ -2,6 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <markservo/RfidTagHits.hpp>
+#include <markservo/RobotPose.hpp>
+#include <markservo/WheelOdometry.hpp>
+
 #include "common/time/seconds_between.hpp"
 
 namespace markservo::rfid_localizer {

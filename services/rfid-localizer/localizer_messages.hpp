@@ -2,9 +2,7 @@
 
 // The localiser's own structs as messages.
 
-#include <markservo/RfidTagHits.hpp>
-#include <markservo/RobotPose.hpp>
-#include <markservo/WheelOdometry.hpp>
+#include <markservo/channels.hpp>
 
 #include "services/rfid-localizer/localizer.hpp"
 

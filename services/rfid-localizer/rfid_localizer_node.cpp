@@ -1,14 +1,15 @@
 #include "services/rfid-localizer/rfid_localizer_node.hpp"
 
 #include <markservo/RfidTagHits.hpp>
+#include <markservo/RobotPose.hpp>
 #include <markservo/StopState.hpp>
 #include <markservo/WheelOdometry.hpp>
 
 #include "common/bus/number_options.hpp"
-#include "common/geometry/plane_pose.hpp"
 #include "common/bus/options.hpp"
-#include "common/messages/motion_messages.hpp"
+#include "common/geometry/plane_pose.hpp"
 #include "common/logging/log.hpp"
+#include "common/messages/motion_messages.hpp"
 #include "common/messages/state_codes.hpp"
 #include "common/motion/mover_watch.hpp"
 #include "common/robot/configuration_error.hpp"
@@ -17,8 +18,8 @@
 
 namespace markservo::rfid_localizer {
 void RfidLocalizerNode::add_options(CLI::App& app) {
-  const bus::NumberOptions number(app);
   const bus::Options add(app);
+  const bus::NumberOptions number(app);
   add.option("--method", method_,
              "Whose pose ROBOT_POSE carries: filter, or paper: weighted average, Hough direction, compensated "
              "delay. Its paper part carries the paper's values either way")

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <markservo/RobotPose.hpp>
+#include <markservo/channels.hpp>
 #include <memory>
 #include <optional>
 #include <string>

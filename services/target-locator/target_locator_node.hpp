@@ -3,9 +3,7 @@
 // Reads MARK_DETECTION; writes one TARGET_POSE and one STEREO_MATCHES for each that is worked on.
 
 #include <map>
-#include <markservo/MarkDetection.hpp>
-#include <markservo/StereoMatches.hpp>
-#include <markservo/TargetPose.hpp>
+#include <markservo/channels.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -2,8 +2,20 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
+#include <markservo/JointState.hpp>
+#include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
+#include <markservo/TargetPose.hpp>
+#include <markservo/TaskCommand.hpp>
+#include <markservo/TaskState.hpp>
 #include <string>
 
+#include "common/bus/options.hpp"
+#include "common/logging/log.hpp"
 #include "common/messages/motion_messages.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/stop_device.hpp"
@@ -14,8 +26,6 @@ namespace markservo::task_manager {
 namespace {
 
 using messages::drop;
-#include "common/bus/options.hpp"
-#include "common/logging/log.hpp"
 using messages::stamp_of;
 
 }  // namespace

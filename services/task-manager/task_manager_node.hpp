@@ -6,16 +6,7 @@
 //   out: TASK_STATE, one per SERVO_STATUS; SERVO_GOAL and, if the robot has a base, BASE_GOAL, when they are new and at
 //        5 Hz of message time; STOP when two claim to be one of those that are listened to
 
-#include <markservo/BaseGoal.hpp>
-#include <markservo/BaseStatus.hpp>
-#include <markservo/JointState.hpp>
-#include <markservo/ServoGoal.hpp>
-#include <markservo/ServoStatus.hpp>
-#include <markservo/StopRequest.hpp>
-#include <markservo/StopState.hpp>
-#include <markservo/TargetPose.hpp>
-#include <markservo/TaskCommand.hpp>
-#include <markservo/TaskState.hpp>
+#include <markservo/channels.hpp>
 #include <optional>
 #include <string>
 

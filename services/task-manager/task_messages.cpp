@@ -1,6 +1,14 @@
 #include "services/task-manager/task_messages.hpp"
 
 #include <cstddef>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
+#include <markservo/JointState.hpp>
+#include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
+#include <markservo/TargetPose.hpp>
+#include <markservo/TaskCommand.hpp>
+#include <markservo/TaskState.hpp>
 #include <stdexcept>
 #include <string>
 

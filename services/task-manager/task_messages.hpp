@@ -3,14 +3,7 @@
 // Between messages and the procedure's own structs.
 
 #include <cstdint>
-#include <markservo/BaseGoal.hpp>
-#include <markservo/BaseStatus.hpp>
-#include <markservo/JointState.hpp>
-#include <markservo/ServoGoal.hpp>
-#include <markservo/ServoStatus.hpp>
-#include <markservo/TargetPose.hpp>
-#include <markservo/TaskCommand.hpp>
-#include <markservo/TaskState.hpp>
+#include <markservo/channels.hpp>
 #include <vector>
 
 #include "services/task-manager/procedure_types.hpp"

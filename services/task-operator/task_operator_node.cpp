@@ -4,6 +4,10 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
+#include <markservo/TaskCommand.hpp>
+#include <markservo/TaskState.hpp>
 
 #include "common/bus/options.hpp"
 #include "common/messages/motion_messages.hpp"

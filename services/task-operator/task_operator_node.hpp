@@ -4,10 +4,7 @@
 //   in:  STOP_STATE, TASK_STATE
 //   out: STOP (stop, reset) or TASK_COMMAND (start, abort, home); lines of text
 
-#include <markservo/StopRequest.hpp>
-#include <markservo/StopState.hpp>
-#include <markservo/TaskCommand.hpp>
-#include <markservo/TaskState.hpp>
+#include <markservo/channels.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,5 +1,10 @@
 #include "services/visual-servo/servo_messages.hpp"
 
+#include <markservo/JointCommand.hpp>
+#include <markservo/JointState.hpp>
+#include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
+#include <markservo/TargetPose.hpp>
 #include <stdexcept>
 #include <string>
 

@@ -2,11 +2,7 @@
 
 // Between messages and the servo core's own structs.
 
-#include <markservo/JointCommand.hpp>
-#include <markservo/JointState.hpp>
-#include <markservo/ServoGoal.hpp>
-#include <markservo/ServoStatus.hpp>
-#include <markservo/TargetPose.hpp>
+#include <markservo/channels.hpp>
 
 #include "services/visual-servo/servo_types.hpp"
 

@@ -1,13 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <markservo/JointCommand.hpp>
-#include <markservo/JointState.hpp>
-#include <markservo/ServoGoal.hpp>
-#include <markservo/ServoStatus.hpp>
-#include <markservo/StopRequest.hpp>
-#include <markservo/StopState.hpp>
-#include <markservo/TargetPose.hpp>
+#include <markservo/channels.hpp>
 #include <memory>
 #include <optional>
 #include <string>

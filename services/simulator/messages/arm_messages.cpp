@@ -1,6 +1,8 @@
 #include "services/simulator/messages/arm_messages.hpp"
 
 #include <cstddef>
+#include <markservo/JointCommand.hpp>
+#include <markservo/JointState.hpp>
 #include <stdexcept>
 #include <string>
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <markservo/JointCommand.hpp>
-#include <markservo/JointState.hpp>
+#include <markservo/channels.hpp>
 
 #include "services/simulator/arm/arm_command.hpp"
 

@@ -1,5 +1,9 @@
 #include "services/simulator/messages/base_messages.hpp"
 
+#include <markservo/RfidTagHits.hpp>
+#include <markservo/SimBaseTruth.hpp>
+#include <markservo/SonarScan.hpp>
+#include <markservo/WheelOdometry.hpp>
 #include <utility>
 
 namespace markservo::simulator {

@@ -3,10 +3,7 @@
 // The simulated base's plain structs as messages; session and seq are the publisher's.
 
 #include <cstdint>
-#include <markservo/RfidTagHits.hpp>
-#include <markservo/SimBaseTruth.hpp>
-#include <markservo/SonarScan.hpp>
-#include <markservo/WheelOdometry.hpp>
+#include <markservo/channels.hpp>
 
 #include "services/simulator/base/base_rig.hpp"
 #include "services/simulator/readers/sonar_reading.hpp"

@@ -1,6 +1,7 @@
 #include "services/simulator/messages/frame_messages.hpp"
 
 #include <cstdint>
+#include <markservo/StereoFrame.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 

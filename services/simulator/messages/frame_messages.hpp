@@ -1,6 +1,6 @@
 #pragma once
 
-#include <markservo/StereoFrame.hpp>
+#include <markservo/channels.hpp>
 
 #include "common/robot/robot_description.hpp"
 #include "services/simulator/cameras/calibration_settings.hpp"

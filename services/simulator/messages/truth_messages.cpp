@@ -1,6 +1,7 @@
 #include "services/simulator/messages/truth_messages.hpp"
 
 #include <Eigen/Geometry>
+#include <markservo/SimTruth.hpp>
 #include <utility>
 
 #include "services/simulator/messages/joint_values.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <markservo/SimTruth.hpp>
+#include <markservo/channels.hpp>
 
 #include "services/simulator/world/world_truth.hpp"
 

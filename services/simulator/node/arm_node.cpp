@@ -1,5 +1,7 @@
 #include "services/simulator/node/arm_node.hpp"
 
+#include <markservo/JointCommand.hpp>
+#include <markservo/JointState.hpp>
 #include <string>
 
 #include "common/messages/motion_messages.hpp"

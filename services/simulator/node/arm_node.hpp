@@ -2,8 +2,7 @@
 
 // The simulated arm on the bus: JOINT_STATE out; JOINT_COMMAND, as its owner hands it over, in.
 
-#include <markservo/JointCommand.hpp>
-#include <markservo/JointState.hpp>
+#include <markservo/channels.hpp>
 
 #include "common/bus/bus.hpp"
 #include "services/simulator/faults/lying_sensors.hpp"

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <markservo/BaseStatus.hpp>
+#include <markservo/RfidTagHits.hpp>
 #include <markservo/RobotPose.hpp>
+#include <markservo/SimBaseTruth.hpp>
+#include <markservo/SonarScan.hpp>
+#include <markservo/WheelOdometry.hpp>
 
 #include "common/messages/motion_messages.hpp"
 #include "services/simulator/messages/base_messages.hpp"

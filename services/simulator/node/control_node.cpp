@@ -1,10 +1,11 @@
 #include "services/simulator/node/control_node.hpp"
 
 #include <exception>
+#include <markservo/SimTruth.hpp>
 
 #include "common/logging/log.hpp"
-#include "common/robot/configuration_error.hpp"
 #include "common/messages/motion_messages.hpp"
+#include "common/robot/configuration_error.hpp"
 #include "services/simulator/messages/truth_messages.hpp"
 
 namespace markservo::simulator {

@@ -1,5 +1,7 @@
 #include "services/simulator/node/frame_node.hpp"
 
+#include <markservo/StereoFrame.hpp>
+
 #include "services/simulator/messages/frame_messages.hpp"
 
 namespace markservo::simulator {

@@ -3,7 +3,7 @@
 // The simulated cameras on the bus: STEREO_FRAME out.
 
 #include <cstdint>
-#include <markservo/StereoFrame.hpp>
+#include <markservo/channels.hpp>
 
 #include "common/bus/bus.hpp"
 #include "services/simulator/cameras/cameras.hpp"

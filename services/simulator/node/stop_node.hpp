@@ -2,8 +2,7 @@
 
 // The stop of the simulated robot on the bus: STOP_STATE of arm and base out; STOP, as its owner hands it over, in.
 
-#include <markservo/StopRequest.hpp>
-#include <markservo/StopState.hpp>
+#include <markservo/channels.hpp>
 
 #include "common/bus/bus.hpp"
 #include "common/bus/repeat_timer.hpp"

@@ -3,6 +3,8 @@
 #include <markservo/JointCommand.hpp>
 #include <markservo/MarkDetection.hpp>
 #include <markservo/ServoStatus.hpp>
+#include <markservo/SimControl.hpp>
+#include <markservo/StopRequest.hpp>
 #include <markservo/TargetPose.hpp>
 #include <markservo/TaskState.hpp>
 #include <stdexcept>
@@ -10,10 +12,10 @@
 #include "common/logging/log.hpp"
 #include "services/simulator/node/base_node.hpp"
 
-
-constexpr std::int64_t kJointStatePeriod_us = 10'000;
 namespace markservo::simulator {
 namespace {
+
+constexpr std::int64_t kJointStatePeriod_us = 10'000;
 
 }  // namespace
 
@@ -32,6 +34,8 @@ WorldNode::WorldNode(bus::Bus& bus, Simulation& simulation, Cameras& cameras, co
   if (simulation.has_base()) base_ = std::make_unique<BaseNode>(bus, simulation, awaited.of_odometries);
   for (const std::string& channel : awaited.of_frames) await_channel(bus, channel);
 }
+
+WorldNode::~WorldNode() = default;
 
 void WorldNode::await_channel(bus::Bus& bus, const std::string& channel) {
   const auto await = [&](const auto& awaited) {
@@ -101,9 +105,17 @@ void WorldNode::expose_frame() {
   frames_.publish();
 }
 
+bool WorldNode::publish_base() {
+  return base_ && base_->publish_due();
+}
+
 void WorldNode::repeat_odometry() {
   stops_.publish();
   base_->repeat();
+}
+
+const LockstepBarrier& WorldNode::odometry_barrier() const {
+  return base_->barrier();
 }
 
 }  // namespace markservo::simulator

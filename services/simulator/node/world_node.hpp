@@ -4,13 +4,12 @@
 // messages of one instant come. Real time and lockstep (time/) decide when.
 
 #include <cstdint>
-#include <markservo/JointCommand.hpp>
+#include <markservo/channels.hpp>
 #include <memory>
 #include <string>
 
 #include "common/bus/bus.hpp"
 #include "services/simulator/node/arm_node.hpp"
-#include "services/simulator/node/base_node.hpp"
 #include "services/simulator/node/control_node.hpp"
 #include "services/simulator/node/frame_node.hpp"
 #include "services/simulator/node/run_state.hpp"
@@ -21,12 +20,14 @@
 
 namespace markservo::simulator {
 
+class BaseNode;
+
 class WorldNode {
  public:
   // `simulation` and `cameras` outlive this. `awaited` answers are noted for lockstep. `jpeg_quality` as FrameNode's.
   WorldNode(bus::Bus& bus, Simulation& simulation, Cameras& cameras, const AwaitedChannels& awaited, int jpeg_quality);
-  WorldNode(const WorldNode&) = delete;
   ~WorldNode();
+  WorldNode(const WorldNode&) = delete;
   WorldNode& operator=(const WorldNode&) = delete;
 
   // Lets a step pass and sends what arm and stop tell after it. Where physics diverged, the world begins anew and the
@@ -42,7 +43,7 @@ class WorldNode {
   void expose_frame();
 
   // Sends what of the base has become due. True if an odometry went out.
-  bool publish_base() { return base_ && base_->publish_due(); }
+  bool publish_base();
   // Sends the newest odometry again: nobody was there to answer. Only of a robot with a base.
   void repeat_odometry();
 
@@ -55,7 +56,7 @@ class WorldNode {
   const RunState& run() const { return run_; }
   // Whether the awaited channels have answered the newest frame, and the newest odometry (of a robot with a base).
   const LockstepBarrier& frame_barrier() const { return frame_barrier_; }
-  const LockstepBarrier& odometry_barrier() const { return base_->barrier(); }
+  const LockstepBarrier& odometry_barrier() const;
 
  private:
   void await_channel(bus::Bus& bus, const std::string& channel);

@@ -1,6 +1,7 @@
 #include "tests/bench/latency/player.hpp"
 
 #include <algorithm>
+#include <lcm/lcm-cpp.hpp>
 #include <stdexcept>
 #include <utility>
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <lcm/lcm-cpp.hpp>
 
 #include "tests/unit/bus/bus_fixture.hpp"
 

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <lcm/lcm-cpp.hpp>
 #include <markservo/ServiceStatus.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
