@@ -13,7 +13,7 @@ ask_defaults() {
       raw-frames-need) raw_frames_need=$value ;;
       clock-tolerance-s) clock_tolerance_s=$value ;;
     esac
-  done < <("$1/bus-census" --defaults 2>/dev/null)
+  done < <(MARKSERVO_LCM_URL='' "$1/bus-census" --defaults 2>/dev/null) # an address that it refuses is no matter here
 }
 ask_defaults "${programs-$repository/build/release/bin}"
 
