@@ -42,9 +42,6 @@ void set_up(const ChildSetup& setup, pid_t parent) {
   become(setup.out, STDOUT_FILENO);
   become(setup.error, STDERR_FILENO);
   for (const int descriptor : setup.kept) fcntl(descriptor, F_SETFD, 0);
-  if (setup.ignores_end_signals) {
-    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(number, SIG_IGN);
-  }
   if (setup.ignores_broken_pipes) std::signal(SIGPIPE, SIG_IGN);
   sigset_t none;
   sigemptyset(&none);
@@ -89,11 +86,10 @@ std::string Pipe::take() const {
   return size <= 0 ? std::string() : std::string(text.data(), static_cast<std::size_t>(size));
 }
 
-CommandOutput output_of(const std::vector<std::string>& command, bool ignores_end_signals) {
+CommandOutput output_of(const std::vector<std::string>& command) {
   Pipe pipe;
   ChildSetup setup;
   setup.out = pipe.write_end();
-  setup.ignores_end_signals = ignores_end_signals;
   const pid_t child = start_process(command.at(0), command, setup);
   pipe.close_write_end();
   CommandOutput output;

@@ -16,7 +16,6 @@ struct ChildSetup {
   std::vector<int> kept;              // descriptors that it inherits besides
   bool own_session = false;           // Ctrl-C does not reach it
   bool ends_with_parent = false;      // by SIGTERM
-  bool ignores_end_signals = false;   // those that tell to end, SignalQueue's
   bool ignores_broken_pipes = false;  // who reads what it prints may end before it
 };
 
@@ -49,7 +48,7 @@ struct CommandOutput {
 };
 
 // Runs a command to its end. Ctrl-C ends it too, unless that is ignored.
-CommandOutput output_of(const std::vector<std::string>& command, bool ignores_end_signals = false);
+CommandOutput output_of(const std::vector<std::string>& command);
 
 // Where the standard input, output or error is closed, a descriptor of ours would take its number: opens it.
 void open_standard_descriptors();

@@ -58,6 +58,8 @@ std::string told_of_recording(const Json& manifest, const std::string& log_comma
   if (!manifest.at("events").is_null()) {
     text += fmt::format(", {} messages on {} channels, {} lost", manifest.at("events").get<std::int64_t>(),
                         manifest.at("channels").size(), manifest.at("lost").get<std::int64_t>());
+  } else {
+    text += fmt::format(", not counted ({} info counts)", log_command);
   }
   if (!gaps_of(manifest).empty()) text += fmt::format(", not recorded for {} s", rounded(missing_s(manifest), 1));
   const auto damage = manifest.find("damage");

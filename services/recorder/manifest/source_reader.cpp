@@ -74,7 +74,8 @@ Json read_configuration(const std::string& config_dir, const std::string& robot_
 
 Json found_in(const RecordingFolder& folder) {
   if (folder.recorded_bytes() == 0) return nothing_found();
-  const CommandOutput report = output_of({sibling("log-tool"), "info", "--json", folder.path()}, true);
+  // A long recording takes minutes, which Ctrl-C ends: it is for log-tool then, whatever it does here.
+  const CommandOutput report = output_of({sibling("log-tool"), "info", "--json", folder.path()});
   if (report.exit_code != 0 && report.exit_code != 1) return {};  // 1: it is damaged, and said where
   Json found = Json::parse(report.text, nullptr, false);
   return found.is_object() ? found : Json();

@@ -174,6 +174,13 @@ TEST(ToldOfRecording, IsOneLine) {
   EXPECT_EQ(told_of_recording(manifest, "scripts/log"), "12 s, 2.5 MB in 2 file(s), 0 messages on 0 channels, 0 lost");
 }
 
+TEST(ToldOfRecording, SaysThatItIsNotCounted) {
+  Json manifest = begun();
+  complete(&manifest, ended({}));
+  EXPECT_EQ(told_of_recording(manifest, "scripts/log"),
+            "12 s, 2.5 MB in 2 file(s), not counted (scripts/log info counts)");
+}
+
 TEST(ToldOfRecording, NamesGapsAndDamage) {
   Json manifest = begun();
   begin_gap(&manifest, kStart, kKilled, kWhy);
