@@ -179,7 +179,7 @@ begin_again() {
   while true; do
     # One that lived for 10 s begins anew.
     crashes=$(($(hundredths) - started > 1000 ? 0 : crashes + 1))
-    pause=$((crashes < 2 ? 0 : crashes > 5 ? 500 : 50 << (crashes - 2)))
+    pause=$((crashes < 2 ? 0 : crashes > 3 ? 200 : 50 << (crashes - 2)))
     while ((pause > 0)); do
       may_go_on || return 1
       rest $((pause > 50 ? 50 : pause))
