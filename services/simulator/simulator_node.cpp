@@ -167,7 +167,7 @@ void SimulatorNode::await_channel(bus::Bus& bus, const std::string& channel) {
 }
 
 void SimulatorNode::on_joint_command(const JointCommand& message) {
-  const motion::OfferedCommand offered{{message.session, message.seq, message.frame_utime}, message.joint_session};
+  const motion::OfferedCommand offered{messages::command_stamp(message), message.joint_session};
   const CommandAnswer answer = simulation_->command(offered, message.frame_seq, arm_command(message));
   barrier_.note(channels::kJointCommand.name, message.frame_session, message.frame_seq);
   tell_of_a_latch();
