@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "common/bus/clock_tolerance.hpp"
 #include "common/bus/connection.hpp"
 #include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
@@ -23,7 +24,6 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr int64_t kClockTolerance_us = 20'000;  // hosts' clocks agree within 5 ms; this far ahead is wrong
 constexpr milliseconds kHeartbeat{1000};
 constexpr int kMaxDrain = 4096;        // messages per poll, so that a flood cannot starve the timers
 constexpr milliseconds kNoBusNap{50};  // while there is nothing to listen to

@@ -13,7 +13,7 @@ Arrival ArrivalOrder::judge(const Stamp& stamp) {
   if (number_grew && stamp.utime >= last_.utime) return take(stamp, Arrival::kNext);
   const bool far_back = seconds_between(stamp.utime, last_.utime) > parameters_.clock_step;
   if (far_back) return number_grew ? take(stamp, Arrival::kAnew) : Arrival::kLate;
-  return out_of_turn(stamp, taken_with_another_time(stamp) ? Arrival::kDouble : Arrival::kLate);
+  return out_of_turn(stamp, taken_otherwise(stamp) ? Arrival::kDouble : Arrival::kLate);
 }
 
 Arrival ArrivalOrder::out_of_turn(const Stamp& stamp, Arrival verdict) {
@@ -23,7 +23,7 @@ Arrival ArrivalOrder::out_of_turn(const Stamp& stamp, Arrival verdict) {
   return run_ >= parameters_.run ? take(stamp, Arrival::kAnew) : verdict;
 }
 
-bool ArrivalOrder::taken_with_another_time(const Stamp& stamp) const {
+bool ArrivalOrder::taken_otherwise(const Stamp& stamp) const {
   return std::any_of(taken_.begin(), taken_.end(),
                      [&stamp](const Stamp& taken) { return taken.seq == stamp.seq && taken.utime != stamp.utime; });
 }

@@ -15,7 +15,7 @@ enum class Arrival {
   kNext,    // goes on from the one before, or is the first
   kLate,    // comes late, twice or out of turn: to be dropped
   kAnew,    // the writer's numbers or its clock began anew: what is known of before no longer holds
-  kDouble,  // numbered as an earlier one, yet of another time: two write with one session
+  kDouble,  // numbered as an earlier one, yet of another time or content: two write with one session
 };
 
 struct ArrivalParameters {
@@ -31,7 +31,7 @@ struct ArrivalParameters {
 // | above       | below, by up to 1 s  | late                                  |
 // | above       | below, by more       | anew                                  |
 // | not above   | not above            | late; however many, when over 1 s back |
-// | taken, of late | another           | double                                |
+// | taken, of late | another, or says something else | double                  |
 // | not above   | above                | double                                |
 // | the third late or double one in a row, each above the one before in both | | anew: the writer is alone again |
 class ArrivalOrder {
@@ -49,7 +49,7 @@ class ArrivalOrder {
  private:
   Arrival take(const Stamp& stamp, Arrival arrival);
   Arrival out_of_turn(const Stamp& stamp, Arrival verdict);
-  bool taken_with_another_time(const Stamp& stamp) const;
+  bool taken_otherwise(const Stamp& stamp) const;
 
   static constexpr std::size_t kTaken = 64;  // 0.6 s of the quickest channel: more than links delay
 

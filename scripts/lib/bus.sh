@@ -1,18 +1,34 @@
 # shellcheck shell=bash disable=SC2034 # variables of the sourcing script
 # The bus as the scripts know it: its address, and the services that are started on it. To be sourced after project.sh.
 
-# As in common/bus/bus_url.hpp.
-default_lcm_url='udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'
-# As in common/bus/network_check.hpp: bytes of receive buffer; below it 60 to 98% of raw frames are lost.
-receive_buffer_for_raw_frames=2000000
-
-# services_of PROFILE: the services of a profile of scripts/stack, one a line; fails for a name that is none.
-services_of() {
-  case $1 in
-    sim) say simulator ;;
-    robot) say stereo-camera ;;
-    replay) ;;
-    *) return 1 ;;
-  esac
-  printf '%s\n' rfid-localizer base-navigator mark-detector target-locator visual-servo task-manager
+# ask_defaults FOLDER: sets what holds on the bus where nobody says otherwise, by the word of a program in FOLDER; all
+# empty before it is built.
+#   default_lcm_url, raw_frames_need (bytes of receive buffer), clock_tolerance_s (how far ahead a clock may be)
+ask_defaults() {
+  local name value
+  default_lcm_url='' raw_frames_need='' clock_tolerance_s=''
+  while IFS='=' read -r name value; do
+    case $name in
+      url) default_lcm_url=$value ;;
+      raw-frames-need) raw_frames_need=$value ;;
+      clock-tolerance-s) clock_tolerance_s=$value ;;
+    esac
+  done < <(MARKSERVO_LCM_URL='' "$1/bus-census" --defaults 2>/dev/null) # an address that it refuses is no matter here
 }
+ask_defaults "${programs-$repository/build/release/bin}"
+
+# is_multicast URL: whether others can hear what is said there; without an address it is the programs' own default.
+is_multicast() { [[ ${1:-udpm://} == udpm://* ]]; }
+
+# Profiles of scripts/stack: a file each with the services that it starts, a line each.
+profiles_dir=${default_config_dir-$repository/config}/profiles
+if [[ ! -d $profiles_dir ]]; then profiles_dir=$repository/config/profiles; fi
+
+# services_of PROFILE: the services of a profile, one a line; fails for a name that is none.
+services_of() {
+  [[ $1 =~ ^[a-z][a-z0-9-]*$ && -f $profiles_dir/$1 ]] || return 1
+  awk '{ sub(/#.*/, "") } NF { print $1 }' "$profiles_dir/$1"
+}
+
+# profiles: their names, as a sentence has them.
+profiles() { find "$profiles_dir" -maxdepth 1 -type f -printf '%f\n' | sort | paste -sd ' '; }

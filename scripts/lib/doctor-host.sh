@@ -3,7 +3,6 @@
 # and `wrong`. To be sourced by scripts/doctor.
 
 recording_needs_mb=2000 # a demo that drives, or a good minute of raw frames
-clocks_agree_s=0.02     # what is stamped further ahead is refused
 
 # url_part NAME: a parameter of the bus's address; nothing when it is not given.
 url_part() { sed -nE "s/^[^?]*\\?(.*&)?$1=([^&]*).*/\\2/p" <<<"$lcm_url"; }
@@ -17,6 +16,10 @@ url_with() {
 
 check_address() {
   local ttl
+  if [[ -z $lcm_url ]]; then
+    wrong bus "nobody can tell which bus the services take by default before they are built" "$get_programs"
+    return
+  fi
   if ! [[ $lcm_url =~ ^udpm://[0-9.]+:[0-9]+([?].*)?$ ]]; then
     wrong bus "the address $lcm_url is none that others can be on; allowed: udpm://GROUP:PORT?..." \
       "unset MARKSERVO_LCM_URL, or --lcm-url '$default_lcm_url'"
@@ -38,6 +41,7 @@ check_address() {
 
 check_route() {
   local group route device mend='ip link set lo multicast on; ip route add 224.0.0.0/4 dev lo'
+  if [[ -z $lcm_url ]]; then return; fi
   group=$(sed -E 's,^udpm://([0-9.]+):.*,\1,' <<<"$lcm_url")
   if ! command -v ip >/dev/null; then
     wrong bus "the program ip is not there to ask for routes" "$(get_packages iproute2)"
@@ -70,6 +74,7 @@ check_listener() {
 
 check_receive_buffer() {
   local asked granted file=${MARKSERVO_PROC_ROOT:-/proc}/sys/net/core/rmem_max
+  if [[ -z $raw_frames_need ]]; then return; fi # not built, which is told
   asked=$(url_part recv_buf_size)
   # Inside a network namespace the kernel hides the setting, but obeys it.
   if ! granted=$(cat -- "$file" 2>/dev/null); then
@@ -77,11 +82,11 @@ check_receive_buffer() {
   fi
   if ! [[ $granted =~ ^[0-9]+$ ]]; then
     wrong bus "cannot tell net.core.rmem_max ($file)" "sysctl net.core.rmem_max"
-  elif ((granted < receive_buffer_for_raw_frames)); then
-    wrong bus "net.core.rmem_max is $granted bytes: raw frames need $receive_buffer_for_raw_frames; below it frames go as JPEG" \
+  elif ((granted < raw_frames_need)); then
+    wrong bus "net.core.rmem_max is $granted bytes: raw frames need $raw_frames_need; below it frames go as JPEG" \
       "sysctl -w net.core.rmem_max=4194304; echo net.core.rmem_max=4194304 >/etc/sysctl.d/60-markservo.conf"
-  elif ! [[ $asked =~ ^[0-9]{1,12}$ ]] || ((10#$asked < receive_buffer_for_raw_frames)); then
-    wrong bus "recv_buf_size=${asked:-none} in the address: raw frames need $receive_buffer_for_raw_frames bytes" \
+  elif ! [[ $asked =~ ^[0-9]{1,12}$ ]] || ((10#$asked < raw_frames_need)); then
+    wrong bus "recv_buf_size=${asked:-none} in the address: raw frames need $raw_frames_need bytes" \
       "use --lcm-url '$(url_with recv_buf_size 4194304)'"
   else
     well bus "receive buffer of $((granted < asked ? granted : asked)) bytes: raw frames fit"
@@ -99,7 +104,7 @@ check_clock() {
   # Of each other host the service that came quickest: the rest is delay.
   while IFS= read -r line; do
     wrong clock "$line" "on both hosts: apt-get install chrony; chronyc makestep (with the robot stopped)"
-  done < <(jq -r --argjson limit $clocks_agree_s '.host as $host | [.services[] | select(.host != $host)]
+  done < <([[ -z $clock_tolerance_s ]] || jq -r --argjson limit "$clock_tolerance_s" '.host as $host | [.services[] | select(.host != $host)]
     | group_by(.host)[] | min_by(.clock_behind_s | fabs) | select(.clock_behind_s | fabs > $limit)
     | "the clock of \(.host) is \(.clock_behind_s * 1000 | fabs | round) ms " +
       (if .clock_behind_s > 0 then "behind" else "ahead of" end) + " ours"' "$heard_file")

@@ -105,8 +105,8 @@ plan_watch() {
   local key url
   for key in "${!given[@]}"; do options[$key]=${given[$key]}; done
   url=${options[lcm_url]:-$default_lcm_url}
-  [[ $watched == yes && $url == udpm://* && -x ${options[build_dir]}/bin/stack-watch ]] || return 1
-  local arguments=(--lcm-url "$url" --supervisor "$runtime_dir/supervisor.sock" --socket "$runtime_dir/watch.sock")
+  if [[ $watched == no || ! -x ${options[build_dir]}/bin/stack-watch ]] || ! is_multicast "$url"; then return 1; fi
+  local arguments=(${url:+--lcm-url "$url"} --supervisor "$runtime_dir/supervisor.sock" --socket "$runtime_dir/watch.sock")
   if [[ -n ${options[robot]} ]]; then arguments+=(--robot "${options[robot]}"); fi
   write_launch stack-watch "${options[build_dir]}/bin/stack-watch" "${arguments[@]}"
 }

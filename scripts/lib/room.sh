@@ -1,13 +1,13 @@
 # shellcheck shell=bash disable=SC2154 # variables of the sourcing script
 # Whether services may be started on a bus: a second simulator would move the arm that another holds. To be sourced after
-# project.sh and, for require_room, launch.sh.
+# bus.sh and, for require_room, launch.sh.
 
 # who_is_in_the_way CENSUS URL OPTION...: one line for each who writes already what one of the services alone may write;
 # nothing where there is room, or where there is no bus (the services say why). OPTION as of bus-census: --room-for
 # SERVICE,... [--robot NAME] [--own PID,... [--own-sessions SESSION,...]].
 who_is_in_the_way() {
   local status=0 lines
-  lines=$("$1" --lcm-url "$2" --for 1.2 "${@:3}" 2>/dev/null) || status=$?
+  lines=$("$1" ${2:+--lcm-url "$2"} --for 1.2 "${@:3}" 2>/dev/null) || status=$?
   case $status in
     1) printf '%s\n' "${lines:-$1 failed}" ;;
     0 | 3) ;;
@@ -36,7 +36,7 @@ require_room() {
   fi
   for where in "${!services_there[@]}"; do
     { read -r tool && read -r url && read -r robot; } <<<"$where" || true
-    [[ $url == udpm://* && -x $tool ]] || continue
+    if [[ ! -x $tool ]] || ! is_multicast "$url"; then continue; fi
     lines=$(who_is_in_the_way "$tool" "$url" --robot "$robot" --room-for "${services_there[$where]}" ${own:+--own "$own"} \
       ${sessions:+--own-sessions "$sessions"})
     if [[ -n $lines ]]; then

@@ -13,7 +13,7 @@ note_bus() {
   bus_url=${options[lcm_url]:-$default_lcm_url}
   stack_profile=${options[profile]}
   census=${options[build_dir]}/bin/bus-census
-  [[ $bus_url == udpm://* && -x $census ]] || census=''
+  if [[ ! -x $census ]] || ! is_multicast "$bus_url"; then census=''; fi
 }
 
 # process_of SERVICE: RUNNING, STARTING, BACKOFF, STOPPED, EXITED, FATAL, or nothing when the stack does not have it.
@@ -32,7 +32,7 @@ await_ready() {
     settle=$settle_s
   fi
   if [[ -n $census ]]; then
-    command=(-- "$census" --lcm-url "$bus_url" --for $((${patience%.*} + 5)) --follow)
+    command=(-- "$census" ${bus_url:+--lcm-url "$bus_url"} --for $((${patience%.*} + 5)) --follow)
   fi
   local ready_ones=() waiting=() lines line
   # All that this call changes is written: who stops the stack must not wait until it is ready.
@@ -79,7 +79,7 @@ hear_bus() {
     return
   fi
   : >"$1"
-  if [[ -n $census ]]; then "$census" --lcm-url "$bus_url" --for "$listen_s" --json >"$1" || true; fi
+  if [[ -n $census ]]; then "$census" ${bus_url:+--lcm-url "$bus_url"} --for "$listen_s" --json >"$1" || true; fi
 }
 
 # status: see scripts/stack's usage.

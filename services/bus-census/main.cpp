@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "common/bus/clock_tolerance.hpp"
 #include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
 #include "common/bus/network_check.hpp"
@@ -29,6 +30,7 @@ struct Options {
   double seconds = 1.5;  // every service speaks once a second
   bool json = false;
   bool follow = false;
+  bool defaults = false;
   RoomWish room;
   std::vector<int> own;
   std::vector<int64_t> own_sessions;
@@ -63,7 +65,18 @@ int tell_room(const Options& options, BusCensusNode* node) {
   return lines.empty() ? markservo::bus::kExitStopped : markservo::bus::kExitFailed;
 }
 
+// As a script reads it.
+void print_defaults() {
+  std::cout << "url=" << markservo::bus::kDefaultUrl << "\n"
+            << "raw-frames-need=" << markservo::bus::kReceiveBufferForRawFrames << "\n"
+            << "clock-tolerance-s=" << 1e-6 * static_cast<double>(markservo::bus::kClockTolerance_us) << "\n";
+}
+
 int run(const Options& options) {
+  if (options.defaults) {
+    print_defaults();
+    return markservo::bus::kExitStopped;
+  }
   if (!options.room.services.empty() && !needs_room(options.room.services)) return markservo::bus::kExitStopped;
   BusCensusNode node(options.url, options.follow);
   if (options.follow) {

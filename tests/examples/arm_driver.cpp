@@ -35,7 +35,7 @@ void ArmDriver::on_command(const JointCommand& command) {
     speed[joint] = std::min(command.speed_limit[joint], kServoSpeed);
   const std::vector<double> shaft(position_.begin(), position_.end());
   const std::vector<double> speeds(speed.begin(), speed.end());
-  motion::OfferedCommand offered{{command.session, command.seq, command.frame_utime}, command.joint_session};
+  motion::OfferedCommand offered{messages::command_stamp(command), command.joint_session};
   offered.leads = motion::leading_joint(command.position, speeds, shaft).has_value();
   const motion::CommandVerdict verdict = gate_->offer(offered, now_(), latch_.latched());
   if (verdict == motion::CommandVerdict::kTwoWriters) {

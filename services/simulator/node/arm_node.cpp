@@ -13,7 +13,7 @@ ArmNode::ArmNode(bus::Bus& bus, Simulation& simulation)
     : simulation_(&simulation), states_(bus.advertise(channels::kJointState)) {}
 
 CommandAnswer ArmNode::obey(const JointCommand& message) {
-  const motion::OfferedCommand offered{{message.session, message.seq, message.frame_utime}, message.joint_session};
+  const motion::OfferedCommand offered{messages::command_stamp(message), message.joint_session};
   return simulation_->command(offered, message.frame_seq, arm_command(message));
 }
 

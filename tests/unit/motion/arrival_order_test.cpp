@@ -95,6 +95,15 @@ TEST(ArrivalOrder, AnotherTimeUnderAUsedNumberIsAnotherWritersThoughItIsEarlier)
   EXPECT_EQ(order.judge(at(2, 21)), Arrival::kLate) << "a repetition is none";
 }
 
+TEST(ArrivalOrder, OtherWordsUnderAUsedNumberAndTimeAreAnotherWriters) {
+  ArrivalOrder order;
+  const auto says = [](std::uint64_t content) { return Stamp{kSession, 1, kStart, content}; };
+  EXPECT_EQ(order.judge(says(11)), Arrival::kNext);
+  EXPECT_EQ(order.judge(says(11)), Arrival::kLate) << "a repetition";
+  EXPECT_EQ(order.judge(says(22)), Arrival::kDouble);
+  EXPECT_EQ(order.judge(says(0)), Arrival::kLate) << "what it says is not known";
+}
+
 TEST(ArrivalOrder, OneOfTwoWithOneSessionIsTheWriterAgainWhenTheOtherWithTheHigherNumbersIsGone) {
   ArrivalOrder order = after_ten();
   for (int i = 11; i <= 20; ++i) {
