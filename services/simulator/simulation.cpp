@@ -100,10 +100,12 @@ motion::StopHeard Simulation::request(const motion::StopRequestStamp& request) {
 void Simulation::freeze() {
   if (base_) base_->freeze();
   delayed_.clear();
+  path_.forget();
   world_.freeze();
 }
 
 void Simulation::release() {
+  path_.forget();
   gate_.release(frame_utime_);
   base_gate_.release(odometry_utime_);
 }
@@ -113,15 +115,18 @@ CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::in
   // A command's own limit may be any number; the servo's speed is what it moves by.
   const robot::JointVector speed = command.speed_limit.cwiseMin(joint_speeds(*robot_.arm));
   CommandAnswer answer{motion::CommandVerdict::kObeyed,
-                       motion::leading_joint(command.position, speed, world_.arm().position)};
+                       motion::leading_joint(command.position, speed, world_.arm().position),
+                       path_.jumping_joint(command.position, speed, world_.arm().position, offered.stamp.utime)};
   motion::OfferedCommand judged = offered;
   judged.leads = answer.leads.has_value();
+  judged.jumps = answer.jumps.has_value();
   answer.verdict = gate_.offer(judged, utime(), latch_.latched());
   if (answer.verdict == motion::CommandVerdict::kTwoWriters) {
     latch_.latch(gate_.two_writers(), utime());
     freeze();
   }
   if (answer.verdict != motion::CommandVerdict::kObeyed) return answer;
+  path_.follow(command.position, offered.stamp.utime);
   if (timing_ == Timing::kLockstep) {
     const std::int64_t answered_number = frame_number_ - std::max<std::int64_t>(0, first_seq_ - frame_seq);
     delayed_.add(answered_number + std::llround(settings_.servo_delay_frames), command);
@@ -156,6 +161,7 @@ void Simulation::step() {
   if (const auto due = delayed_.take(now)) world_.command(*due);
   if (gate_.silent(utime())) {
     delayed_.clear();
+    path_.forget();
     world_.freeze();
   }
   if (base_) {

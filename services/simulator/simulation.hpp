@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/motion/command_gate.hpp"
+#include "common/motion/command_path.hpp"
 #include "common/motion/stop_latch.hpp"
 #include "common/robot/robot_description.hpp"
 #include "services/simulator/delayed_commands.hpp"
@@ -34,6 +35,7 @@ enum class Timing {
 struct CommandAnswer {
   motion::CommandVerdict verdict = motion::CommandVerdict::kLatched;
   std::optional<std::size_t> leads;  // the first joint whose command leads the shaft too far, where one does
+  std::optional<std::size_t> jumps;  // the first whose command jumps away from the one before, likewise
 };
 
 // Names and values as SIM_CONTROL carries them.
@@ -113,6 +115,7 @@ class Simulation {
   std::int64_t epoch_;
   motion::StopLatch latch_{"the simulated world"};
   motion::CommandGate gate_;
+  motion::CommandPath path_;
   motion::CommandGate base_gate_;
   DelayedCommands delayed_;
   FrameSchedule schedule_;

@@ -176,6 +176,10 @@ void SimulatorNode::on_joint_command(const JointCommand& message) {
     messages::drop(command + "leads joint " + robot_.arm->joints[*answer.leads].name +
                    " by more than 0.3 s at its speed limit and 0.1 rad");
   }
+  if (answer.verdict == motion::CommandVerdict::kJumps) {
+    messages::drop(command + "moves joint " + robot_.arm->joints[*answer.jumps].name +
+                   " away from the command before it by more than its speed limit and 0.03 rad");
+  }
   switch (answer.verdict) {
     case motion::CommandVerdict::kObeyed:
     case motion::CommandVerdict::kLatched:      // commands go on while the arm is stopped

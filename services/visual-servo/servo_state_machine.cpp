@@ -22,6 +22,7 @@ constexpr double kLongestFrame_s = 0.1;  // a longer gap must not become a longe
 constexpr double kStands_s = 0.3;        // without a command, by then the arm stands: nothing is left to slow down from
 constexpr double kRampReserve = 1.05;    // ramps end a little before the next command
 constexpr double kSlowestRamp = 0.2;     // rad/s
+constexpr double kAtOnce_s = 0.004;      // a step of this length outruns the motor, and ends within a servo's pulse
 constexpr double kNegligibleStep = 1e-4;  // rad
 constexpr double kPlaceKnown_s = 0.03;  // of agreeing joint states after a leap, before the arm is taken where they say
 
@@ -140,6 +141,10 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     status.reason = goal_stale;
   } else {
     follow_goal(pose, state, status);
+  }
+  // Nothing is left to be fast for: a word in this one's name could ask for no far step.
+  if (at_rest_since(parameters_.sight.settling, state.joints, state.command.position, state.command_utime)) {
+    state.command.speed_limit.setConstant(kSlowestRamp);
   }
   state.command.joint_session = state.joints.newest().session;
   output.command = state.command;
@@ -270,8 +275,9 @@ void ServoStateMachine::move(const JointVector& step, bool at_once, bool streami
   state.command.position = next;
   state.command_utime = state.joints.newest().utime;
   const JointVector streamed = (step.cwiseAbs() * (kRampReserve / state.seconds)).cwiseMax(kSlowestRamp);
-  const JointVector slower = streaming ? streamed : JointVector::Constant(parameters_.sight.rate.joint_speed);
-  state.command.speed_limit = at_once ? servo_speed_ : JointVector(slower.cwiseMin(servo_speed_));
+  JointVector speed = streaming ? streamed : JointVector::Constant(parameters_.sight.rate.joint_speed);
+  if (at_once) speed = (step.cwiseAbs() / kAtOnce_s).cwiseMax(kSlowestRamp);
+  state.command.speed_limit = speed.cwiseMin(servo_speed_);
 }
 
 void ServoStateMachine::move_to_posture(State& state, Status& status) const {
