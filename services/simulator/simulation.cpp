@@ -114,12 +114,14 @@ CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::in
                                   const ArmCommand& command) {
   // A command's own limit may be any number; the servo's speed is what it moves by.
   const robot::JointVector speed = command.speed_limit.cwiseMin(joint_speeds(*robot_.arm));
-  CommandAnswer answer{motion::CommandVerdict::kObeyed,
-                       motion::leading_joint(command.position, speed, world_.arm().position),
-                       path_.jumping_joint(command.position, speed, world_.arm().position, offered.stamp.utime)};
+  const robot::JointVector shaft = world_.arm().position;
+  const auto leads = motion::leading_joint(command.position, speed, shaft);
+  const auto jumps = path_.jumping_joint(command.position, speed, shaft, offered.stamp.utime);
+  CommandAnswer answer;
+  answer.joint = leads ? leads : jumps;
   motion::OfferedCommand judged = offered;
-  judged.leads = answer.leads.has_value();
-  judged.jumps = answer.jumps.has_value();
+  judged.leads = leads.has_value();
+  judged.jumps = jumps.has_value();
   answer.verdict = gate_.offer(judged, utime(), latch_.latched());
   if (answer.verdict == motion::CommandVerdict::kTwoWriters) {
     latch_.latch(gate_.two_writers(), utime());

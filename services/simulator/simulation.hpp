@@ -34,8 +34,7 @@ enum class Timing {
 // What became of a command.
 struct CommandAnswer {
   motion::CommandVerdict verdict = motion::CommandVerdict::kLatched;
-  std::optional<std::size_t> leads;  // the first joint whose command leads the shaft too far, where one does
-  std::optional<std::size_t> jumps;  // the first whose command jumps away from the one before, likewise
+  std::optional<std::size_t> joint;  // whose command leads the shaft or jumps, where one does
 };
 
 // Names and values as SIM_CONTROL carries them.

@@ -172,21 +172,14 @@ void SimulatorNode::on_joint_command(const JointCommand& message) {
   barrier_.note(channels::kJointCommand.name, message.frame_session, message.frame_seq);
   tell_of_a_latch();
   const std::string command = "command for frame " + std::to_string(message.frame_seq) + " ";
-  if (answer.verdict == motion::CommandVerdict::kLeads) {
-    messages::drop(command + "leads joint " + robot_.arm->joints[*answer.leads].name +
-                   " by more than 0.3 s at its speed limit and 0.1 rad");
-  }
-  if (answer.verdict == motion::CommandVerdict::kJumps) {
-    messages::drop(command + "moves joint " + robot_.arm->joints[*answer.jumps].name +
-                   " away from the command before it by more than its speed limit and 0.03 rad");
-  }
+  const std::string joint = answer.joint ? "joint " + robot_.arm->joints[*answer.joint].name + ": " : "";
   switch (answer.verdict) {
     case motion::CommandVerdict::kObeyed:
     case motion::CommandVerdict::kLatched:      // commands go on while the arm is stopped
     case motion::CommandVerdict::kBeforeReset:  // and those under way at a reset come late
       break;
     default:
-      messages::drop(command + motion::describe(answer.verdict));
+      messages::drop(joint + command + motion::describe(answer.verdict));
   }
 }
 
