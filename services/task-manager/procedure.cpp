@@ -129,10 +129,13 @@ void ProcedureStep::insist_on_rest() {
     return true;
   };
   const bool resting = !under_way(s_.phase) && !in_.stop.latched;
-  const auto ignored = [](const auto& report) { return report.goal_id == 0 && !report.follows_another; };
-  if (unanswered(resting && s_.goal.id != 0 && ignored(in_.servo), s_.arm_unanswered_since)) send(s_.goal);
+  const auto ignored = [](const auto& report, std::int64_t id) {
+    return report.goal_id != id && !report.follows_another;
+  };
+  if (unanswered(resting && s_.goal.id != 0 && ignored(in_.servo, s_.goal.id), s_.arm_unanswered_since)) send(s_.goal);
   const bool base_rests = resting && !s_.drive.goal.drive && s_.drive.goal.id != 0;
-  if (unanswered(base_rests && in_.base && ignored(*in_.base), s_.drive.unanswered_since)) send(s_.drive.goal);
+  if (unanswered(base_rests && in_.base && ignored(*in_.base, s_.drive.goal.id), s_.drive.unanswered_since))
+    send(s_.drive.goal);
 }
 
 void ProcedureStep::watch_the_servo() {
@@ -148,7 +151,7 @@ void ProcedureStep::watch_the_servo() {
   if (lasts(moving && in_.servo.state == ServoState::kStopped, s_.stopped_since)) {
     stop("visual-servo is stopped: " + in_.servo.reason);
   }
-  const bool unheard = moving && s_.goal.id != 0 && in_.servo.goal_id == 0;
+  const bool unheard = moving && s_.goal.id != 0 && in_.servo.goal_id != s_.goal.id;
   if (lasts(unheard, s_.unheard_since)) {
     fail("visual-servo does not answer the goal" + (in_.servo.reason.empty() ? "" : ": " + in_.servo.reason));
   }
@@ -311,7 +314,8 @@ void ProcedureStep::stop(const std::string& reason) {
 }
 
 void ProcedureStep::send(Goal goal) {
-  goal.id = s_.goal.id + 1;
+  // Above what another may have said in our name.
+  goal.id = std::max(s_.goal.id, in_.servo.goal_id) + 1;
   s_.goal = std::move(goal);
   s_.goal_is_new = true;
 }
