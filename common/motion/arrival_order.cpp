@@ -24,8 +24,10 @@ Arrival ArrivalOrder::out_of_turn(const Stamp& stamp, Arrival verdict) {
 }
 
 bool ArrivalOrder::taken_otherwise(const Stamp& stamp) const {
-  return std::any_of(taken_.begin(), taken_.end(),
-                     [&stamp](const Stamp& taken) { return taken.seq == stamp.seq && taken.utime != stamp.utime; });
+  return std::any_of(taken_.begin(), taken_.end(), [&stamp](const Stamp& taken) {
+    const bool says_other = taken.content != 0 && stamp.content != 0 && taken.content != stamp.content;
+    return taken.seq == stamp.seq && (taken.utime != stamp.utime || says_other);
+  });
 }
 
 Arrival ArrivalOrder::take(const Stamp& stamp, Arrival arrival) {

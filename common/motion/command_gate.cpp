@@ -26,6 +26,8 @@ const char* describe(CommandVerdict verdict) {
       return "is of a second writer, while the first still speaks";
     case CommandVerdict::kLeads:
       return "leads the shafts by more than 0.3 s at its speed limit and 0.1 rad";
+    case CommandVerdict::kJumps:
+      return "jumps away from the command before it, by more than its speed limit and 0.03 rad";
     case CommandVerdict::kTwoWriters:
       return "is of one of two writers";
   }
@@ -53,6 +55,7 @@ CommandVerdict CommandGate::offer(const OfferedCommand& command, std::int64_t no
   if (latched) return CommandVerdict::kLatched;
   if (command.stamp.utime <= released_at_) return CommandVerdict::kBeforeReset;
   if (command.leads) return CommandVerdict::kLeads;
+  if (command.jumps) return CommandVerdict::kJumps;
   obeyed_at_ = now;
   return CommandVerdict::kObeyed;
 }

@@ -15,6 +15,7 @@
 // | released | not above the writer's last seq, or of before its last time   | out of order                |
 // | released | of another writer while the first still speaks                | waits                       |
 // | released | too far ahead of the shafts                                   | leads                       |
+// | released | too far from the command before it                            | jumps                       |
 // | released | any other                                                     | obeyed                      |
 
 #include <cstdint>
@@ -29,6 +30,7 @@ struct OfferedCommand {
   Stamp stamp;                // its writer's session and seq; utime of the measurement that it answers
   std::int64_t made_for = 0;  // session of the mover's report that it was made from
   bool leads = false;         // leading_joint() found one: it is too far ahead of the shafts to be meant for them
+  bool jumps = false;         // CommandPath::jumping_joint() found one: it does not continue the command before it
 };
 
 enum class CommandVerdict {
@@ -40,6 +42,7 @@ enum class CommandVerdict {
   kAhead,        // answers what is not measured yet
   kOutOfOrder,   // comes late or twice
   kLeads,        // too far ahead of the shafts
+  kJumps,        // too far from the command before it
   kWaits,        // of a second writer, while the first still speaks
   kTwoWriters,   // the first spoke again: the mover must latch
 };

@@ -50,6 +50,7 @@ void remember(std::int64_t session, std::int64_t id, Senders& senders) {
 GoalHeard GoalInbox::hear(const GoalStamp& goal, std::int64_t now, double age, bool latched) {
   if (goal.session == 0) return GoalHeard::kEnded;
   if (now != 0 && !within(age, goal.utime, now)) return GoalHeard::kStale;
+  if (goal.id > largest_id(goal.session)) return GoalHeard::kBeyond;
   const std::int64_t moment = now != 0 ? now : goal.utime;
   const bool second_spoke = second_.has_value() && second_->session != goal.session;
   const bool again = goal_ && goal.session == goal_->session && goal.id == goal_->id;
@@ -84,6 +85,20 @@ GoalHeard GoalInbox::hear(const GoalStamp& goal, std::int64_t now, double age, b
   if (latched) return GoalHeard::kEnded;
   goal_ = goal;
   return GoalHeard::kNew;
+}
+
+std::int64_t GoalInbox::largest_id(std::int64_t session) const {
+  for (const auto* senders : {&senders_, &ignored_}) {
+    for (const Sender& sender : *senders) {
+      if (sender.session == session) return std::max(sender.last_id, std::int64_t{0}) + kLongestIdStep;
+    }
+  }
+  return kLargestFirstId;
+}
+
+std::string GoalInbox::why_beyond(const GoalStamp& goal) const {
+  return "goal_id is " + std::to_string(goal.id) + "; allowed from session " + std::to_string(goal.session) +
+         ": up to " + std::to_string(largest_id(goal.session));
 }
 
 void GoalInbox::take_floor(std::int64_t session, std::int64_t now) {

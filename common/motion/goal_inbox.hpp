@@ -12,6 +12,7 @@
 // | ------- | --------------------------------------------------------- | ------------------------------ |
 // | any     | session 0, of no sender                                   | ended                          |
 // | any     | a goal too old or too far ahead                           | stale; it may come again fresh |
+// | any     | an id far beyond the sender's last: nothing could follow it | beyond                       |
 // | any     | of another sender while the floor's holder repeats        | second                         |
 // | any     | an id that was replaced, ended or ignored                 | ended; it takes no floor       |
 // | latched | any other                                                 | ended at once                  |
@@ -33,7 +34,12 @@ struct GoalStamp {
   std::int64_t utime = 0;  // us
 };
 
-enum class GoalHeard { kNew, kAgain, kStale, kSecond, kEnded, kContested };
+enum class GoalHeard { kNew, kAgain, kStale, kSecond, kEnded, kContested, kBeyond };
+
+// A sender counts its goals. What lies beyond is of another that speaks in its name, so that the sender's own next
+// goals would count as old.
+inline constexpr std::int64_t kLargestFirstId = std::int64_t{1} << 52;
+inline constexpr std::int64_t kLongestIdStep = 1'000'000;
 
 class GoalInbox {
  public:
@@ -43,6 +49,9 @@ class GoalInbox {
   // `now`: us, the newest time of what moves; 0 before it has any: then a goal's age is judged later, by fresh().
   // `age`: s either way from now within which a goal is fresh.
   GoalHeard hear(const GoalStamp& goal, std::int64_t now, double age, bool latched);
+
+  // Why a goal_id is beyond what its sender can have counted to, for people.
+  std::string why_beyond(const GoalStamp& goal) const;
 
   // The goal, and all before it of its sender, will not be taken up again: a stop, or another beginning.
   void end() { goal_.reset(); }
@@ -71,6 +80,7 @@ class GoalInbox {
     std::int64_t heard_at = 0;  // us, of now
   };
 
+  std::int64_t largest_id(std::int64_t session) const;
   void take_floor(std::int64_t session, std::int64_t now);
 
   std::string channel_;

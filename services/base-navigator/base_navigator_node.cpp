@@ -84,6 +84,9 @@ void BaseNavigatorNode::on_goal(const BaseGoal& goal) {
   if (heard == motion::GoalHeard::kContested) base_->raise(state_.goal.inbox().two());
   after_input();
   if (heard == motion::GoalHeard::kNew) drop(state_.goal.refusal());
+  if (heard == motion::GoalHeard::kBeyond) {
+    drop(state_.goal.inbox().why_beyond({goal.session, goal.goal_id, goal.utime}));
+  }
 }
 
 void BaseNavigatorNode::begin_anew(const std::string& why) {

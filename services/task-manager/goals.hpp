@@ -3,6 +3,7 @@
 // What arm and base were told last, and when it is to be sent: at once when it is new, then five times a second; as a
 // new one when nobody heard it.
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -21,9 +22,12 @@ class RepeatedGoal {
   const G& newest() const { return newest_; }
   bool none_yet() const { return newest_.id == 0; }
 
+  // Another spoke in our name, up to goal `id`: only what lies above it is heard as new.
+  void pass(std::int64_t id) { passed_ = std::max(passed_, id); }
+
   // A new goal, under the next id.
   void set(G goal) {
-    goal.id = newest_.id + 1;
+    goal.id = std::max(newest_.id, passed_) + 1;
     newest_ = std::move(goal);
     is_new_ = true;
   }
@@ -46,6 +50,7 @@ class RepeatedGoal {
 
  private:
   G newest_;
+  std::int64_t passed_ = 0;  // id
   bool is_new_ = false;
   bus::RepeatTimer repeat_{bus::kStateRepeat_us};
   ConditionTimer ignored_;

@@ -47,6 +47,8 @@ class Step {
 };
 
 void Step::run() {
+  s_.arm_goals.pass(in_.servo.goal_id);
+  if (in_.base) s_.base_goals.pass(in_.base->goal_id);
   watch_the_clock();
   watch_the_arm();
   watch_the_stop_devices();
@@ -108,7 +110,7 @@ void Step::watch_the_hand() {
 
 void Step::watch_the_servo() {
   const bool moving = under_way(phase()) && phase() != Phase::kLook;
-  const auto ending = s_.servo.observe(in_.servo, moving, !s_.arm_goals.none_yet(), s_.clock.now(),
+  const auto ending = s_.servo.observe(in_.servo, moving, s_.arm_goals.newest().id, s_.clock.now(),
                                        context_.parameters.motion.stale_timeout);
   if (ending) enter(transition_to(*ending));
 }
@@ -117,10 +119,12 @@ void Step::watch_the_servo() {
 // heard then.
 void Step::insist_on_rest() {
   const bool resting = !under_way(phase()) && !in_.stop.latched;
-  const auto ignored = [](const auto& report) { return report.goal_id == 0 && !report.follows_another; };
-  s_.arm_goals.insist(resting && ignored(in_.servo), in_.utime);
+  const auto ignored = [](const auto& report, std::int64_t id) {
+    return report.goal_id != id && !report.follows_another;
+  };
+  s_.arm_goals.insist(resting && ignored(in_.servo, s_.arm_goals.newest().id), in_.utime);
   const bool base_rests = resting && !s_.base_goals.newest().drive;
-  s_.base_goals.insist(base_rests && in_.base && ignored(*in_.base), in_.utime);
+  s_.base_goals.insist(base_rests && in_.base && ignored(*in_.base, s_.base_goals.newest().id), in_.utime);
 }
 
 // Nothing has moved for the task yet.

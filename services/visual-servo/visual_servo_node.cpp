@@ -123,10 +123,12 @@ void VisualServoNode::on_joints(const JointState& joints) {
 }
 
 void VisualServoNode::on_goal(const ServoGoal& goal) {
-  if (machine_->observe(goal_of(goal), state_) == motion::GoalHeard::kContested) {
-    arm_->raise(state_.followed.inbox().two());
-  }
+  const motion::GoalHeard heard = machine_->observe(goal_of(goal), state_);
+  if (heard == motion::GoalHeard::kContested) arm_->raise(state_.followed.inbox().two());
   after_input();
+  if (heard == motion::GoalHeard::kBeyond) {
+    drop(state_.followed.inbox().why_beyond({goal.session, goal.goal_id, goal.utime}));
+  }
 }
 
 void VisualServoNode::on_pose(const TargetPose& pose) {

@@ -37,18 +37,25 @@ void ArmDriver::on_command(const JointCommand& command) {
   const std::vector<double> speeds(speed.begin(), speed.end());
   motion::OfferedCommand offered{messages::command_stamp(command), command.joint_session};
   offered.leads = motion::leading_joint(command.position, speeds, shaft).has_value();
+  offered.jumps = path_.jumping_joint(command.position, speeds, shaft, offered.stamp.utime).has_value();
   const motion::CommandVerdict verdict = gate_->offer(offered, now_(), latch_.latched());
   if (verdict == motion::CommandVerdict::kTwoWriters) {
     latch_.latch(gate_->two_writers(), now_());
-    wanted_ = position_;
+    stand();
     tell_stop_state();
   }
   if (verdict == motion::CommandVerdict::kLatched) return;  // commands go on while the arm is stopped
   if (verdict != motion::CommandVerdict::kObeyed) messages::drop(std::string("command ") + describe(verdict));
+  path_.follow(command.position, offered.stamp.utime);
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
     wanted_[joint] = std::clamp(command.position[joint], -kJointLimit, kJointLimit);
   }
   speed_limit_ = speed;
+}
+
+void ArmDriver::stand() {
+  wanted_ = position_;
+  path_.forget();
 }
 
 void ArmDriver::on_stop(const StopRequest& request) {
@@ -57,13 +64,13 @@ void ArmDriver::on_stop(const StopRequest& request) {
                                        request.source + ": " + request.reason};
   const motion::StopHeard heard = latch_.hear(stamp, now_(), gate_->obstacle(now_()));
   if (heard == motion::StopHeard::kStale) messages::drop("RESET refused: " + latch_.why_stale(stamp, now_()));
-  if (heard == motion::StopHeard::kLatched) wanted_ = position_;
+  if (heard == motion::StopHeard::kLatched) stand();
   if (heard == motion::StopHeard::kReleased) gate_->release(now_());
   tell_stop_state();
 }
 
 void ArmDriver::tick() {
-  if (gate_->silent(now_())) wanted_ = position_;
+  if (gate_->silent(now_())) stand();
   bool moving = false;
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
     const double way = speed_limit_[joint] * kPeriod_s;

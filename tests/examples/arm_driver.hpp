@@ -17,6 +17,7 @@
 #include "common/bus/repeat_timer.hpp"
 #include "common/bus/service.hpp"
 #include "common/motion/command_gate.hpp"
+#include "common/motion/command_path.hpp"
 #include "common/motion/stop_latch.hpp"
 #include "common/time/clocks.hpp"
 
@@ -40,12 +41,14 @@ class ArmDriver : public bus::Service {
   using Joints = std::array<double, kJoints>;
 
   void on_command(const JointCommand& command);
+  void stand();
   void on_stop(const StopRequest& request);
   void tell_stop_state();
 
   std::function<std::int64_t()> now_;
   motion::StopLatch latch_{"the arm's clock"};
   std::optional<motion::CommandGate> gate_;
+  motion::CommandPath path_;
   std::optional<bus::Publisher<JointState>> joint_states_;
   std::optional<bus::Publisher<StopState>> stop_states_;
   bus::RepeatTimer stop_state_timer_{bus::kStateRepeat_us};

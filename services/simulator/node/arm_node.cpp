@@ -19,17 +19,14 @@ CommandAnswer ArmNode::obey(const JointCommand& message) {
 
 void ArmNode::drop_unless_obeyed(const JointCommand& message, const CommandAnswer& answer) const {
   const std::string command = "command for frame " + std::to_string(message.frame_seq) + " ";
-  if (answer.verdict == motion::CommandVerdict::kLeads) {
-    messages::drop(command + "leads joint " + simulation_->robot().arm->joints[*answer.leads].name +
-                   " by more than 0.3 s at its speed limit and 0.1 rad");
-  }
+  const std::string joint = answer.joint ? "joint " + simulation_->robot().arm->joints[*answer.joint].name + ": " : "";
   switch (answer.verdict) {
     case motion::CommandVerdict::kObeyed:
     case motion::CommandVerdict::kLatched:      // commands go on while the arm is stopped
     case motion::CommandVerdict::kBeforeReset:  // and those under way at a reset come late
       break;
     default:
-      messages::drop(command + motion::describe(answer.verdict));
+      messages::drop(joint + command + motion::describe(answer.verdict));
   }
 }
 

@@ -47,6 +47,7 @@ void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
   seed_ = seed;
   control_.latch("the world was reset", utime());
   delayed_.clear();
+  path_.forget();
   time_.leap(kResetPause_us);
   exposures_.restart(settings_.frames.rate_hz, time_.steps());
 }
@@ -70,7 +71,12 @@ motion::StopHeard Simulation::request(const motion::StopRequestStamp& request) {
 
 void Simulation::freeze() {
   if (base_) base_->freeze();
+  freeze_arm();
+}
+
+void Simulation::freeze_arm() {
   delayed_.clear();
+  path_.forget();
   world_.freeze();
 }
 
@@ -78,13 +84,19 @@ CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::in
                                   const ArmCommand& command) {
   // A command's own limit may be any number; the servo's speed is what it moves by.
   const robot::JointVector speed = command.speed_limit.cwiseMin(joint_speeds(*robot_.arm));
-  CommandAnswer answer{motion::CommandVerdict::kObeyed,
-                       motion::leading_joint(command.position, speed, world_.arm().position)};
+  const robot::JointVector shaft = world_.arm().position;
+  const auto leads = motion::leading_joint(command.position, speed, shaft);
+  const auto jumps = path_.jumping_joint(command.position, speed, shaft, offered.stamp.utime);
+  CommandAnswer answer;
+  answer.joint = leads ? leads : jumps;
   motion::OfferedCommand judged = offered;
-  judged.leads = answer.leads.has_value();
+  judged.leads = leads.has_value();
+  judged.jumps = jumps.has_value();
   answer.verdict = control_.offer_arm(judged, utime());
   if (answer.verdict == motion::CommandVerdict::kTwoWriters) freeze();
-  if (answer.verdict == motion::CommandVerdict::kObeyed) delayed_.add(effect_of(frame_seq), command);
+  if (answer.verdict != motion::CommandVerdict::kObeyed) return answer;
+  path_.follow(command.position, offered.stamp.utime);
+  delayed_.add(effect_of(frame_seq), command);
   return answer;
 }
 
@@ -113,10 +125,7 @@ MobileBaseTruth Simulation::base_truth() const {
 void Simulation::step() {
   const std::int64_t now = timing_ == Timing::kLockstep ? exposures_.number() : utime();
   if (const auto due = delayed_.take(now)) world_.command(*due);
-  if (control_.arm_is_silent(utime())) {
-    delayed_.clear();
-    world_.freeze();
-  }
+  if (control_.arm_is_silent(utime())) freeze_arm();
   if (base_) {
     base_->step(world_);
   } else {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "common/motion/command_path.hpp"
 #include "common/robot/robot_description.hpp"
 #include "services/simulator/arm/delayed_commands.hpp"
 #include "services/simulator/base/mobile_base.hpp"
@@ -31,7 +32,7 @@ enum class Timing {
 // What became of a command.
 struct CommandAnswer {
   motion::CommandVerdict verdict = motion::CommandVerdict::kLatched;
-  std::optional<std::size_t> leads;  // the first joint whose command leads the shaft too far, where one does
+  std::optional<std::size_t> joint;  // whose command leads the shaft or jumps, where one does
 };
 
 class Simulation {
@@ -94,6 +95,7 @@ class Simulation {
 
  private:
   void freeze();
+  void freeze_arm();
   // The frame or the time (us) at which a command in answer to frame `frame_seq` takes effect.
   std::int64_t effect_of(std::int64_t frame_seq) const;
   std::optional<MobileBase> new_base(const Settings& settings, std::uint64_t seed, std::int64_t epoch) const;
@@ -108,6 +110,7 @@ class Simulation {
   std::optional<MobileBase> base_;
   SimulatedTime time_;
   MotionControl control_;
+  motion::CommandPath path_;
   DelayedCommands delayed_;
   Exposures exposures_;
 };

@@ -13,9 +13,10 @@ namespace markservo::task_manager {
 
 class ServoWatch {
  public:
-  // `moving`: the task is in a phase that needs visual-servo; `told`: a goal was sent; `now`: us of the task's time;
-  // `timeout`: s, after which stale input, a stop of its own or no answer end the task.
-  std::optional<Ending> observe(const ServoReport& servo, bool moving, bool told, std::int64_t now, double timeout);
+  // `moving`: the task is in a phase that needs visual-servo; `goal_id`: of what it was told last, 0 before that;
+  // `now`: us of the task's time; `timeout`: s, after which stale input, a stop of its own or no answer end the task.
+  std::optional<Ending> observe(const ServoReport& servo, bool moving, std::int64_t goal_id, std::int64_t now,
+                                double timeout);
 
  private:
   ConditionTimer stale_;

@@ -10,11 +10,16 @@ namespace {
 constexpr double kFactorFrame_s = 1.0 / 30.0;  // in which slow_down_factor acts once
 constexpr double kRampReserve = 1.05;          // ramps end a little before the next command
 constexpr double kSlowestRamp = 0.2;           // rad/s
-constexpr double kNegligibleStep = 1e-4;       // rad
+constexpr double kAtOnce_s = 0.004;       // a step of this length outruns the motor, and ends within a servo's pulse
+constexpr double kNegligibleStep = 1e-4;  // rad
 
 JointVector speed_limit_of(const robot::ArmDescription& arm, const ArmStep& step, double seconds) {
-  const JointVector streamed = (step.change.cwiseAbs() * (kRampReserve / seconds)).cwiseMax(kSlowestRamp);
-  const JointVector wanted = step.streaming ? streamed : JointVector::Constant(step.joint_speed);
+  JointVector wanted = JointVector::Constant(step.joint_speed);
+  if (step.streaming) {
+    wanted = (step.change.cwiseAbs() * (kRampReserve / seconds)).cwiseMax(kSlowestRamp);
+  } else if (std::isinf(step.joint_speed)) {
+    wanted = (step.change.cwiseAbs() / kAtOnce_s).cwiseMax(kSlowestRamp);
+  }
   return wanted.cwiseMin(servo_speeds(arm));
 }
 
@@ -68,6 +73,10 @@ std::string ArmCommand::move(const robot::ArmDescription& arm, const ArmCommandP
 std::optional<std::int64_t> ArmCommand::at_rest_since(const SettlingParameters& parameters,
                                                       const JointHistory& joints) const {
   return visual_servo::at_rest_since(parameters, joints, position_, since_);
+}
+
+void ArmCommand::relax(const SettlingParameters& parameters, const JointHistory& joints) {
+  if (at_rest_since(parameters, joints)) speed_limit_.setConstant(kSlowestRamp);
 }
 
 bool ArmCommand::settled_at(const SettlingParameters& parameters, const JointHistory& joints,

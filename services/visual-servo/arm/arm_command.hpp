@@ -25,7 +25,8 @@ struct ArmCommandParameters {
 struct ArmStep {
   JointVector change = JointVector::Zero();  // rad
   bool streaming = false;                    // one of many: slow down gently if the next cannot follow
-  // rad/s, each joint's limit in a step that is not streaming; the servos' own speeds bound it.
+  // rad/s, each joint's limit in a step that is not streaming; infinite: the step is made at once. The servos' own
+  // speeds bound it.
   double joint_speed = std::numeric_limits<double>::infinity();
 };
 
@@ -49,6 +50,9 @@ class ArmCommand {
   // does not follow. Empty when the step was made.
   std::string move(const robot::ArmDescription& arm, const ArmCommandParameters& parameters, const ArmStep& step,
                    const JointSample& now, double seconds);
+
+  // Where the arm rests nothing is left to be fast for: a word in this one's name could ask for no far step.
+  void relax(const SettlingParameters& parameters, const JointHistory& joints);
 
   const JointVector& position() const { return position_; }        // rad
   const JointVector& speed_limit() const { return speed_limit_; }  // rad/s

@@ -116,6 +116,7 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
   } else {
     follow_goal(pose, state, status);
   }
+  state.command.relax(parameters_.sight.settling, state.joints);
   output.command = {state.command.position(), state.command.speed_limit(), state.joints.newest().session,
                     state.gripper.opening(), state.gripper.force()};
   return output;

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "common/motion/command_lead.hpp"
+#include "common/motion/command_path.hpp"
 
 namespace markservo::motion {
 namespace {
@@ -85,6 +87,16 @@ TEST_F(Gate, TwoWritersStopTheMoverUntilOneHasBeenSilentForASecond) {
   EXPECT_EQ(gate_.offer({{5, 3, kNow + 1'110'000}, kMover}, kNow + 1'120'000, false), CommandVerdict::kObeyed);
 }
 
+TEST_F(Gate, ObeysNothingThatLeadsTheShaftsOrJumpsAwayFromTheCommandBeforeIt) {
+  OfferedCommand leads = command(1, 0.2);
+  leads.leads = true;
+  EXPECT_EQ(offer(leads), CommandVerdict::kLeads);
+  OfferedCommand jumps = command(2, 0.1);
+  jumps.jumps = true;
+  EXPECT_EQ(offer(jumps), CommandVerdict::kJumps);
+  EXPECT_EQ(offer(command(3, 0.0)), CommandVerdict::kObeyed);
+}
+
 TEST_F(Gate, AnOldRecordingIsNoWriter) {
   offer(command(1, 0.1, 5));
   EXPECT_EQ(offer(command(1, 2280.0, 6)), CommandVerdict::kStale);
@@ -98,6 +110,46 @@ TEST(CommandLead, AllowsThreeTenthsOfASecondAtTheCommandsSpeedAndATenthOfARadian
   EXPECT_EQ(leading_joint<Eigen::Vector3d>(shaft + Eigen::Vector3d(0.41, 0.0, 0.0), speed, shaft), 0U);
   EXPECT_EQ(leading_joint<Eigen::Vector3d>(shaft + Eigen::Vector3d(0.0, -0.71, 0.0), speed, shaft), 1U);
   EXPECT_EQ(leading_joint<Eigen::Vector3d>(shaft + Eigen::Vector3d(0.0, 0.0, 0.17), speed, shaft), 2U);
+}
+
+class Path : public testing::Test {
+ protected:
+  // Of a command `step` (rad) from the last one, `seconds` after it, told at `speed` (rad/s).
+  std::optional<std::size_t> jump(const Eigen::Vector3d& step, double seconds, double speed) const {
+    return path_.jumping_joint<Eigen::Vector3d>(last_ + step, Eigen::Vector3d::Constant(speed), shaft_,
+                                                kNow + static_cast<std::int64_t>(1e6 * seconds));
+  }
+
+  CommandPath path_;
+  const Eigen::Vector3d last_{0.0, 0.5, -1.0};
+  const Eigen::Vector3d shaft_ = last_ - Eigen::Vector3d(0.1, 0.1, 0.1);  // on its way there
+};
+
+TEST_F(Path, GoesOnAtTheToldSpeedAndThreeHundredthsOfARadian) {
+  path_.follow(last_, kNow);
+  EXPECT_EQ(jump({0.0, 0.0, 0.079}, 0.05, 1.0), std::nullopt);
+  EXPECT_EQ(jump({0.0, 0.0, 0.081}, 0.05, 1.0), 2U);
+  EXPECT_EQ(jump({0.0, -0.081, 0.0}, 0.05, 1.0), 1U);
+  EXPECT_EQ(jump({0.0, -0.081, 0.0}, 0.1, 1.0), std::nullopt) << "twice as long since the last";
+}
+
+TEST_F(Path, AWriterMayTakeTheShaftsWhereTheyAre) {
+  path_.follow(last_, kNow);
+  EXPECT_EQ(jump(shaft_ - last_, 0.03, 0.2), std::nullopt);
+  EXPECT_EQ(jump(shaft_ - last_ + Eigen::Vector3d(0.0, 0.0, -0.04), 0.03, 0.2), 0U);
+}
+
+TEST_F(Path, BeginsAnywhereAtFirstAndAfterStanding) {
+  EXPECT_EQ(jump({1.0, 0.0, 0.0}, 0.03, 0.2), std::nullopt);
+  path_.follow(last_, kNow);
+  EXPECT_EQ(jump({1.0, 0.0, 0.0}, 0.03, 0.2), 0U);
+  path_.forget();
+  EXPECT_EQ(jump({1.0, 0.0, 0.0}, 0.03, 0.2), std::nullopt);
+}
+
+TEST_F(Path, ATimeThatGoesBackGivesNoWay) {
+  path_.follow(last_, kNow);
+  EXPECT_EQ(jump({0.04, 0.0, 0.0}, -1.0, 1.0), 0U);
 }
 
 }  // namespace

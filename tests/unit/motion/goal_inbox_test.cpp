@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace markservo::motion {
 namespace {
 
@@ -143,6 +145,19 @@ TEST_F(Goals, OneOfAnotherTimeKeepsNoFloorOnceTheTimeIsKnown) {
   EXPECT_EQ(inbox_.hear({5, 1, us(0.0)}, 0, kAge, false), GoalHeard::kSecond);
   EXPECT_TRUE(inbox_.end_unless_fresh(us(0.1), kAge));
   EXPECT_EQ(hear(5, 1, 0.2), GoalHeard::kNew) << "what was ignored for it is ignored no longer";
+}
+
+TEST_F(Goals, AnIdThatNoSenderCountsToMakesItsNextGoalsNoOldOnes) {
+  constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
+  EXPECT_EQ(hear(5, kLargest, 0.0), GoalHeard::kBeyond);
+  EXPECT_EQ(hear(5, 1, 0.1), GoalHeard::kNew);
+  EXPECT_EQ(hear(5, kLargest, 0.2), GoalHeard::kBeyond);
+  EXPECT_EQ(inbox_.why_beyond({5, kLargest, 0}),
+            "goal_id is 9223372036854775807; allowed from session 5: up to 1000001");
+  EXPECT_EQ(hear(5, 1, 0.3), GoalHeard::kAgain);
+  EXPECT_EQ(hear(5, 1'000'001, 0.4), GoalHeard::kNew);
+  EXPECT_EQ(hear(6, kLargest, 0.5), GoalHeard::kBeyond);
+  EXPECT_EQ(hear(5, 1'000'002, 0.6), GoalHeard::kNew) << "the other kept no floor";
 }
 
 }  // namespace

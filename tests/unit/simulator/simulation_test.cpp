@@ -114,9 +114,29 @@ TEST(Simulation, ACommandThatLeadsTheShaftsTooFarIsNotObeyed) {
   const CommandAnswer answer =
       simulation.command({{kWriter, 1, simulation.utime()}, kSession}, 1, posture(far, 0.05, 1.0));
   EXPECT_EQ(answer.verdict, CommandVerdict::kLeads);
-  EXPECT_EQ(answer.leads, 2U);
+  EXPECT_EQ(answer.joint, 2U);
   next_frame(simulation, 2);
   EXPECT_EQ(distance_from_home(simulation), 0.0);
+}
+
+TEST(Simulation, ACommandThatJumpsAwayFromTheOneBeforeItIsNotObeyedUntilTheArmStands) {
+  Simulation simulation = test_simulation(Timing::kLockstep, {{"servo.delay_frames", 0.0}});
+  release(simulation);
+  next_frame(simulation, 1);
+  const robot::JointVector home = test_robot().arm->home;
+  const auto tell = [&](std::int64_t seq, double elbow) {
+    const ArmCommand told = posture(home + robot::JointVector(0.0, 0.0, elbow), 0.05, 0.2);
+    return simulation.command({{kWriter, seq, simulation.utime()}, kSession}, seq, told);
+  };
+  ASSERT_EQ(tell(1, 0.0).verdict, CommandVerdict::kObeyed);
+  next_frame(simulation, 2);
+  EXPECT_EQ(tell(2, 0.15).verdict, CommandVerdict::kJumps);
+  EXPECT_EQ(tell(3, 0.15).joint, 2U);
+  next_frame(simulation, 3);
+  EXPECT_EQ(distance_from_home(simulation), 0.0);
+  EXPECT_EQ(tell(4, 0.03).verdict, CommandVerdict::kObeyed);
+  for (int seq = 4; seq < 15; ++seq) next_frame(simulation, seq);
+  EXPECT_EQ(tell(5, 0.15).verdict, CommandVerdict::kObeyed) << "0.3 s without a command: it stands";
 }
 
 TEST(Simulation, TwoWritersOfCommandsLatchUntilOneIsAlone) {

@@ -68,12 +68,14 @@ bool FakeRobot::in_view(const Eigen::Isometry3d& X_CM, double size) const {
 
 ServoReport FakeRobot::report() {
   ServoReport report;
-  report.goal_id = follows_goals ? goal_.id : 0;
+  report.goal_id = follows_goals ? std::max(goal_.id, forged_goal_id) : 0;
   if (stale || frames_of_old_goals_ > 0) {
     report.state = ServoState::kStale;
     report.reason = stale ? "TARGET_POSE is 1.0 s old" : "SERVO_GOAL is old";
   } else if (stop.latched) {
     report.state = ServoState::kStopped;
+  } else if (forged_goal_id > goal_.id) {
+    report.state = ServoState::kPosture;
   } else if (goal_.kind == GoalKind::kHold) {
     report.settled = true;
   } else if (goal_.kind == GoalKind::kPosture) {
@@ -124,7 +126,7 @@ std::optional<BaseReport> FakeRobot::base_report() const {
 }
 
 void FakeRobot::move_arm() {
-  if (stop.latched || stale || !follows_goals || frames_of_old_goals_ > 0) return;
+  if (stop.latched || stale || !follows_goals || forged_goal_id > goal_.id || frames_of_old_goals_ > 0) return;
   const robot::JointVector before = q_;
   if (goal_.kind == GoalKind::kPosture) {
     const robot::JointVector to_go = goal_.q - q_;

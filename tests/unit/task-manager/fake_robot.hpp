@@ -26,8 +26,9 @@ class FakeRobot {
   Eigen::Vector3d p_CT{0.0325, 0.25, 0.032};  // m, the red book's mark
   Sight target_sight = Sight::kLocated;       // unless out of view
   Sight hand_sight = Sight::kLocated;
-  int slips = 0;              // so many grips do not hold
-  bool follows_goals = true;  // false: visual-servo is silent about our goals
+  int slips = 0;                    // so many grips do not hold
+  bool follows_goals = true;        // false: visual-servo is silent about our goals
+  std::int64_t forged_goal_id = 0;  // of a goal that another sent in our name: visual-servo follows it instead
   bool stale = false;
   bool arm_answers = true;
   std::string unreachable;  // servoing cannot go on, and why

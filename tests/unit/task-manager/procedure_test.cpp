@@ -143,6 +143,18 @@ TEST(Procedure, FailsWhenVisualServoDoesNotAnswerItsGoals) {
   EXPECT_EQ(robot.last().reason, "visual-servo does not answer the goal");
 }
 
+TEST(Procedure, AGoalInItsNameUnderAHigherIdEndsTheTaskAndLocksNothing) {
+  FakeRobot robot;
+  robot.send(CommandKind::kStart, "red_book");
+  ASSERT_TRUE(robot.run_until(Phase::kApproach));
+  robot.forged_goal_id = robot.goal().id + 1000;
+  ASSERT_TRUE(robot.run_until(Phase::kFailed, 20.0));
+  robot.run_for(1.0);
+  EXPECT_GT(robot.goal().id, robot.forged_goal_id);
+  robot.send(CommandKind::kStart, "red_book");
+  EXPECT_TRUE(robot.run_until(Phase::kHoldLifted));
+}
+
 TEST(Procedure, RepeatsAGoalFiveTimesASecondUnderTheSameId) {
   FakeRobot robot;
   robot.send(CommandKind::kStart, "red_book");

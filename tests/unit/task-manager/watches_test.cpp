@@ -93,11 +93,11 @@ TEST(StopWatch, SaysOnceThatAStopWasReset) {
 }
 
 // What the watch says of `servo` that lasts a little longer than the timeout.
-std::optional<Ending> after_the_timeout(const ServoReport& servo, bool moving = true, bool told = true) {
+std::optional<Ending> after_the_timeout(const ServoReport& servo, bool moving = true, std::int64_t goal_id = 1) {
   ServoWatch watch;
-  EXPECT_FALSE(watch.observe(servo, moving, told, 0, kTimeout));
-  EXPECT_FALSE(watch.observe(servo, moving, told, 3 * kSecond, kTimeout));
-  return watch.observe(servo, moving, told, 3 * kSecond + 1, kTimeout);
+  EXPECT_FALSE(watch.observe(servo, moving, goal_id, 0, kTimeout));
+  EXPECT_FALSE(watch.observe(servo, moving, goal_id, 3 * kSecond, kTimeout));
+  return watch.observe(servo, moving, goal_id, 3 * kSecond + 1, kTimeout);
 }
 
 TEST(ServoWatch, EndsATaskByWhatLasts) {
@@ -117,7 +117,8 @@ TEST(ServoWatch, TellsSilenceAboutTheGoalBeforeWhatElseLasts) {
   ASSERT_TRUE(unheard);
   EXPECT_EQ(unheard->phase, Phase::kFailed);
   EXPECT_EQ(unheard->reason, "visual-servo does not answer the goal: why");
-  EXPECT_FALSE(after_the_timeout({0, ServoState::kHold, false, ""}, true, false)) << "no goal was sent";
+  EXPECT_TRUE(after_the_timeout({7, ServoState::kServo, false, ""})) << "another goal was told in our name";
+  EXPECT_FALSE(after_the_timeout({0, ServoState::kHold, false, ""}, true, 0)) << "no goal was sent";
 }
 
 TEST(ServoWatch, WatchesOnlyWhatMoves) {

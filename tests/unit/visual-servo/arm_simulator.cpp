@@ -65,7 +65,12 @@ std::deque<JointSample> ArmSimulator::take_joint_states() {
 
 void ArmSimulator::finish_frame(const std::optional<Command>& command) {
   const int frames = settings_.delay_in_vision ? 1 : settings_.delay_frames;
-  if (command) pending_.push_back({frame_time_ + frames / settings_.frame_rate - 1e-9, *command});
+  if (command) {
+    const std::int64_t answered = poses_.front().utime;
+    if (commanded_.jumping_joint(command->position, command->speed_limit, shafts(), answered)) ++jumps_;
+    commanded_.follow(command->position, answered);
+    pending_.push_back({frame_time_ + frames / settings_.frame_rate - 1e-9, *command});
+  }
   frame_time_ += 1.0 / settings_.frame_rate;
   run_until(frame_time_);
 }

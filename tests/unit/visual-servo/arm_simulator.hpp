@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "common/motion/command_path.hpp"
 #include "services/simulator/arm/servo_model.hpp"
 #include "services/visual-servo/decisions/servo_state_machine.hpp"
 
@@ -53,6 +54,8 @@ class ArmSimulator {
   double deepest_y() const { return deepest_y_; }
   // Largest distance of the true grip point from the line start - goal, m, since place().
   double largest_sweep(const Eigen::Vector3d& goal) const;
+  // Commands so far that a driver would refuse for jumping away from those before them.
+  int jumps() const { return jumps_; }
   double time() const { return time_; }
   std::int64_t utime() const;  // us, of time()
   bool hide_hand = false;
@@ -86,6 +89,8 @@ class ArmSimulator {
   std::deque<PoseSample> poses_;
   std::deque<Pending> pending_;
   std::deque<JointSample> states_;
+  motion::CommandPath commanded_;
+  int jumps_ = 0;
   double opening_target_ = 0.05;
   std::vector<simulator::ServoModel> joints_;
   Eigen::Vector3d p_CT_ = Eigen::Vector3d::Zero();

@@ -1,5 +1,6 @@
 // What cannot be done is refused with its reason, and postures are reached as asked.
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/unit/visual-servo/rig.hpp"
@@ -82,6 +83,15 @@ TEST_F(ServoGoals, APostureIsReachedWithAllJointsEndingTogether) {
   const Output output = frame();
   EXPECT_TRUE(output.status.settled);
   EXPECT_LT((state_.joints.newest().position - goal).norm(), 1e-9);
+}
+
+TEST_F(ServoGoals, AnArmThatRestsIsCommandedAtTheSlowestSpeed) {
+  frame();
+  machine_.observe(servo_goal(), state_);
+  double fastest = 0.0;
+  for (int i = 0; i < 60; ++i) fastest = std::max(fastest, frame().command->speed_limit.maxCoeff());
+  EXPECT_GT(fastest, 1.0) << "the last step is made at once";
+  EXPECT_EQ(frame().command->speed_limit, JointVector::Constant(0.2));
 }
 
 TEST_F(ServoGoals, TheGoalsSpeedLimitsTheGripPoint) {

@@ -49,6 +49,7 @@ TEST_P(ResolvedRate, MeetsTheBarOverTheWorkspace) {
       EXPECT_LE(summary.error_p95, GetParam().error_p95);
       EXPECT_LE(summary.y_overshoot, 0.003);
       EXPECT_LE(summary.sweep, 0.015);
+      EXPECT_EQ(summary.jumps, 0);
     }
   }
 }

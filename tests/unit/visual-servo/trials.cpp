@@ -72,6 +72,7 @@ Trial run(const robot::RobotDescription& robot, const ServoStateMachine& machine
   trial.final_error = (arm.grip_point() - goal_point).norm();
   trial.y_overshoot = arm.deepest_y() - std::max(goal_point.y(), start.y());
   trial.sweep = arm.largest_sweep(goal_point);
+  trial.jumps = arm.jumps();
   return trial;
 }
 
@@ -105,6 +106,7 @@ Summary summarise(const std::vector<Trial>& trials) {
     errors.push_back(trial.final_error);
     summary.error_mean += trial.final_error / static_cast<double>(trials.size());
     summary.y_overshoot = std::max(summary.y_overshoot, trial.y_overshoot);
+    summary.jumps += trial.jumps;
     summary.sweep = std::max(summary.sweep, trial.sweep);
   }
   std::sort(frames.begin(), frames.end());

@@ -15,6 +15,7 @@ struct Trial {
   double final_error = 0.0;  // m, by truth, when it converged (or gave up)
   double y_overshoot = 0.0;  // m, beyond the goal
   double sweep = 0.0;        // m, off the straight line
+  int jumps = 0;             // commands that a driver would refuse as not continuing those before them
 };
 
 struct Summary {
@@ -27,6 +28,7 @@ struct Summary {
   double error_max = 0.0;    // m
   double y_overshoot = 0.0;  // m, largest
   double sweep = 0.0;        // m, largest
+  int jumps = 0;             // of all trials
 };
 
 // All goals (x 0..0.10, y 0.20..0.30, z -0.02) from four starts each, `seeds` times.
