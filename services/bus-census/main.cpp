@@ -113,6 +113,9 @@ void add_options(CLI::App& app, Options& options) {
   const auto json = add.flag("--json", options.json, "One JSON object instead of tables");
   add.flag("--follow", options.follow, "Print each SERVICE_STATUS instead when it comes, one JSON object a line")
       .excludes(json);
+  add.flag("--defaults", options.defaults,
+           "Instead: print what holds where nobody says otherwise: the bus, the receive buffer that raw frames need "
+           "(bytes), how far ahead a clock may be (s)");
   add.option("--room-for", options.room.services,
              "Instead: name who writes already what these services would write; exits 1 if somebody does")
       .delimiter(',');
