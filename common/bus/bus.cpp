@@ -186,7 +186,7 @@ ServiceStatus Bus::status() const {
   status.reason = told.reason;
   add_counters("", status);
   for (const auto& [other, prefix] : reported_also_) other->add_counters(prefix, status);
-  status.num_channels = static_cast<int32_t>(status.channels.size());
+  status.num_channels = static_cast<std::int32_t>(status.channels.size());
   return status;
 }
 
@@ -213,13 +213,13 @@ void Bus::report_also(const Bus& other, std::string prefix) {
   reported_also_.emplace_back(&other, std::move(prefix));
 }
 
-bool Bus::note_utime(int64_t utime) {
+bool Bus::note_utime(std::int64_t utime) {
   return time_line_.observe(utime);
 }
 
-double Bus::ahead_of_clock(int64_t utime) const {
+double Bus::ahead_of_clock(std::int64_t utime) const {
   if (replaying_) return 0.0;
-  const int64_t ahead = utime - wall_clock_us();
+  const std::int64_t ahead = utime - wall_clock_us();
   return ahead > kClockTolerance_us ? 1e-6 * static_cast<double>(ahead) : 0.0;
 }
 

@@ -48,11 +48,11 @@ inline constexpr double kNeededWithin = 3.0;
 
 struct BusParameters {
   BusUrls urls;
-  std::string service_name;  // as in SERVICE_STATUS
-  std::string robot;         // prefixes all channels with "robot/" when not empty
-  int64_t config_hash = 0;   // of all settings in force
-  bool source = false;       // reads nothing and writes a log: the same session in every run
-  bool heartbeat = true;     // SERVICE_STATUS; never written to file://
+  std::string service_name;      // as in SERVICE_STATUS
+  std::string robot;             // prefixes all channels with "robot/" when not empty
+  std::int64_t config_hash = 0;  // of all settings in force
+  bool source = false;           // reads nothing and writes a log: the same session in every run
+  bool heartbeat = true;         // SERVICE_STATUS; never written to file://
   // A service waits for a route, an interface or a server that is missing; a tool ends.
   bool waits_for_network = false;
 };
@@ -119,10 +119,10 @@ class Bus final : private SubscriptionHost, private MessageSink {
   int descriptor() const;
 
   // The newest utime on any subscribed channel, us: what "now" means to the algorithms; 0 before the first message.
-  int64_t newest_utime() const override { return time_line_.newest(); }
+  std::int64_t newest_utime() const override { return time_line_.newest(); }
   // Nothing is live about a log.
   bool replaying() const override { return replaying_; }
-  int64_t session() const { return session_; }
+  std::int64_t session() const { return session_; }
   const BusUrls& urls() const { return parameters_.urls; }
   // The prefix of all channels, empty for none.
   const std::string& robot() const { return parameters_.robot; }
@@ -180,13 +180,13 @@ class Bus final : private SubscriptionHost, private MessageSink {
   std::chrono::milliseconds until_next_timer(std::chrono::milliseconds limit) const;
 
   void note_traffic() override;
-  bool note_utime(int64_t utime) override;
-  double ahead_of_clock(int64_t utime) const override;
+  bool note_utime(std::int64_t utime) override;
+  double ahead_of_clock(std::int64_t utime) const override;
   void complain(const std::string& channel, const std::string& what) override;
 
   BusParameters parameters_;
   bool replaying_ = false;
-  int64_t session_ = 0;
+  std::int64_t session_ = 0;
   std::shared_ptr<Connection> in_;
   std::shared_ptr<Connection> out_;  // the same where one URL serves both
   std::vector<std::unique_ptr<Subscription>> subscriptions_;

@@ -30,11 +30,11 @@ class LatencyWindow {
 
 // What one subscription has seen since the start; ChannelStatus.lcm defines each figure.
 struct ChannelCounters {
-  int64_t received = 0;
-  int64_t skipped = 0;
-  int64_t decode_failures = 0;
-  int64_t refused = 0;
-  int64_t newest_utime = -1;  // us, of those on the bus's time line; -1 before the first
+  std::int64_t received = 0;
+  std::int64_t skipped = 0;
+  std::int64_t decode_failures = 0;
+  std::int64_t refused = 0;
+  std::int64_t newest_utime = -1;  // us, of those on the bus's time line; -1 before the first
   SequenceMonitor sequence;
   LatencyWindow latency;
 };

@@ -7,7 +7,7 @@
 namespace markservo::bus {
 
 // A hostile writer's gaps add up to no more, and no seq is larger.
-inline constexpr int64_t kMaxLost = int64_t{1} << 53;
+inline constexpr std::int64_t kMaxLost = std::int64_t{1} << 53;
 
 // Counts the messages that one writer's `seq` leave out. A number ahead of the next is believed once another goes on
 // from it: one alone, which a hostile or broken writer sends, counts for nothing and hides nothing. One that comes late
@@ -16,7 +16,7 @@ inline constexpr int64_t kMaxLost = int64_t{1} << 53;
 class GapCounter {
  public:
   // `seq`: any number; one outside of 0 to kMaxLost is no seq. How many it shows to be missing; 0 to kMaxGap.
-  int64_t observe(int64_t seq) {
+  std::int64_t observe(std::int64_t seq) {
     if (seq < 0 || seq > kMaxLost) return 0;
     if (newest_ < 0 || seq == newest_ + 1) {
       newest_ = seq;
@@ -30,7 +30,7 @@ class GapCounter {
       ahead_ = seq;
       return 0;
     }
-    const int64_t missing = std::clamp<int64_t>(*ahead_ - newest_ - 1, 0, kMaxGap);
+    const std::int64_t missing = std::clamp<std::int64_t>(*ahead_ - newest_ - 1, 0, kMaxGap);
     newest_ = *ahead_;
     ahead_ = seq;
     if (seq == newest_ + 1) observe(seq);
@@ -38,13 +38,13 @@ class GapCounter {
   }
 
  private:
-  static constexpr int64_t kFar = 100;  // messages; what is farther from another does not go on from it
+  static constexpr std::int64_t kFar = 100;  // messages; what is farther from another does not go on from it
   // Two that lie agree as well as two that do not. So much is 100 s of the quickest stream; whoever is deaf for longer
   // is told by the age of what he has.
-  static constexpr int64_t kMaxGap = 10'000;
+  static constexpr std::int64_t kMaxGap = 10'000;
 
-  int64_t newest_ = -1;
-  std::optional<int64_t> ahead_;  // not where the next was expected, and nothing has gone on from it yet
+  std::int64_t newest_ = -1;
+  std::optional<std::int64_t> ahead_;  // not where the next was expected, and nothing has gone on from it yet
 };
 
 }  // namespace markservo::bus

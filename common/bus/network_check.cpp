@@ -11,10 +11,10 @@
 
 namespace markservo::bus {
 
-std::optional<int64_t> granted_receive_buffer(int64_t asked) {
+std::optional<std::int64_t> granted_receive_buffer(std::int64_t asked) {
   const int socket_fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (socket_fd < 0) return std::nullopt;
-  const int wanted = static_cast<int>(std::min<int64_t>(asked, std::numeric_limits<int>::max() / 2));
+  const int wanted = static_cast<int>(std::min<std::int64_t>(asked, std::numeric_limits<int>::max() / 2));
   int granted = 0;
   socklen_t size = sizeof granted;
   const bool told = setsockopt(socket_fd, SOL_SOCKET, SO_RCVBUF, &wanted, sizeof wanted) == 0 &&
@@ -29,7 +29,7 @@ bool raw_frames_fit(const std::string& url) {
   const std::string key = "recv_buf_size=";
   const std::size_t at = url.find(key);
   if (at == std::string::npos) return false;
-  const int64_t asked = std::strtoll(url.c_str() + at + key.size(), nullptr, 10);
+  const std::int64_t asked = std::strtoll(url.c_str() + at + key.size(), nullptr, 10);
   if (asked < kReceiveBufferForRawFrames) return false;
   const auto granted = granted_receive_buffer(asked);
   return granted && *granted >= kReceiveBufferForRawFrames;

@@ -9,11 +9,11 @@
 namespace markservo::bus {
 
 // Raw 640 x 480 pairs (1.84 MB) arrive whole with a receive buffer of this size; below it 60 to 98% are lost.
-inline constexpr int64_t kReceiveBufferForRawFrames = 2'000'000;  // bytes
+inline constexpr std::int64_t kReceiveBufferForRawFrames = 2'000'000;  // bytes
 
 // The receive buffer in bytes that a socket gets which asks for `asked`: the kernel clamps silently to
 // net.core.rmem_max, which a network namespace hides but still obeys. Nothing if no socket can be had.
-std::optional<int64_t> granted_receive_buffer(int64_t asked);
+std::optional<std::int64_t> granted_receive_buffer(std::int64_t asked);
 
 // True if raw frames fit through `url`'s transport: memq and file always, udpm if both the URL's recv_buf_size and what
 // the kernel grants are large enough.

@@ -25,7 +25,7 @@ class MessageSink {
 template <class M>
 class Publisher {
  public:
-  Publisher(MessageSink* sink, std::string channel, int64_t session)
+  Publisher(MessageSink* sink, std::string channel, std::int64_t session)
       : sink_(sink), channel_(std::move(channel)), session_(session) {}
 
   // Fills session and seq (of types that have both), makes the texts fit and sends. Throws std::invalid_argument, and
@@ -48,16 +48,16 @@ class Publisher {
   // Leaves a number out: a message that was lost on its way, as readers will count it.
   void skip() { ++seq_; }
 
-  int64_t session() const { return session_; }
+  std::int64_t session() const { return session_; }
 
  private:
   [[noreturn]] void refuse(const std::string& why) const { refuse_to_publish(channel_, why); }
 
   MessageSink* sink_;
   std::string channel_;
-  int64_t session_;
-  int64_t seq_ = 0;
-  std::vector<uint8_t> buffer_;
+  std::int64_t session_;
+  std::int64_t seq_ = 0;
+  std::vector<std::uint8_t> buffer_;
 };
 
 }  // namespace markservo::bus

@@ -4,7 +4,7 @@
 
 namespace markservo::bus {
 
-void SequenceMonitor::observe(int64_t session, int64_t seq) {
+void SequenceMonitor::observe(std::int64_t session, std::int64_t seq) {
   session_changed_ = session_ != 0 && session != session_;
   in_a_row_ = session == session_ ? std::min(in_a_row_ + 1, kForgotten) : 0;
   if (in_a_row_ == kForgotten) second_writer_ = false;

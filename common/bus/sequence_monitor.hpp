@@ -13,10 +13,10 @@ namespace markservo::bus {
 // once; when an earlier session speaks again, two write at the same time.
 class SequenceMonitor {
  public:
-  void observe(int64_t session, int64_t seq);
+  void observe(std::int64_t session, std::int64_t seq);
 
   // Gaps within each session, as GapCounter finds them.
-  int64_t lost() const { return lost_; }
+  std::int64_t lost() const { return lost_; }
   // Until one alone has sent kForgotten messages.
   bool second_writer() const { return second_writer_; }
   // True if the newest message began another session than the one before it.
@@ -26,13 +26,13 @@ class SequenceMonitor {
   static constexpr std::size_t kRemembered = 16;  // earlier sessions; more restarts than that in a row prove nothing
   static constexpr int kForgotten = 500;          // messages of one session in a row: 5 s of the quickest stream
 
-  int64_t session_ = 0;
+  std::int64_t session_ = 0;
   GapCounter gaps_;  // of the present session
-  int64_t lost_ = 0;
+  std::int64_t lost_ = 0;
   bool second_writer_ = false;
   int in_a_row_ = 0;  // of the present session
   bool session_changed_ = false;
-  std::vector<int64_t> earlier_;
+  std::vector<std::int64_t> earlier_;
 };
 
 }  // namespace markservo::bus

@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <cstdint>
 #include <fstream>
 #include <iostream>
 #include <markservo/ServiceStatus.hpp>
@@ -50,11 +51,11 @@ void add_common_options(CommandLine& command_line, CommonOptions& options) {
 }
 
 // All that decides how the service behaves, in one number.
-int64_t config_hash(const CommandLine& command_line, const std::string& robot_file) {
+std::int64_t config_hash(const CommandLine& command_line, const std::string& robot_file) {
   std::ifstream file(robot_file);
   std::ostringstream content;
   content << file.rdbuf();
-  return static_cast<int64_t>(fingerprint(content.str(), fingerprint(command_line.settings())));
+  return static_cast<std::int64_t>(fingerprint(content.str(), fingerprint(command_line.settings())));
 }
 
 // On a bus of its own, which nobody hears.

@@ -8,19 +8,20 @@ namespace markservo::bus {
 namespace {
 
 // 0 stands for "none" in messages that echo a session.
-int64_t positive(uint64_t bits) {
-  const auto session = static_cast<int64_t>(bits & static_cast<uint64_t>(std::numeric_limits<int64_t>::max()));
+std::int64_t positive(std::uint64_t bits) {
+  const auto session =
+      static_cast<std::int64_t>(bits & static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()));
   return session == 0 ? 1 : session;
 }
 
 }  // namespace
 
-int64_t random_session() {
+std::int64_t random_session() {
   std::random_device device;
-  return positive((static_cast<uint64_t>(device()) << 32) | device());
+  return positive((static_cast<std::uint64_t>(device()) << 32) | device());
 }
 
-int64_t replay_session(const std::string& log_path, const std::string& service_name) {
+std::int64_t replay_session(const std::string& log_path, const std::string& service_name) {
   constexpr std::size_t kHead = 65536;  // bytes; the first events already tell one log from another
   std::string head(kHead, '\0');
   std::ifstream log(log_path, std::ios::binary);
@@ -29,13 +30,13 @@ int64_t replay_session(const std::string& log_path, const std::string& service_n
   return positive(fingerprint(service_name, fingerprint(head)));
 }
 
-int64_t source_session(const std::string& service_name) {
+std::int64_t source_session(const std::string& service_name) {
   return positive(fingerprint(service_name));
 }
 
-uint64_t fingerprint(std::string_view text, uint64_t seed) {
-  constexpr uint64_t kPrime = 1099511628211ULL;
-  uint64_t hash = seed;
+std::uint64_t fingerprint(std::string_view text, std::uint64_t seed) {
+  constexpr std::uint64_t kPrime = 1099511628211ULL;
+  std::uint64_t hash = seed;
   for (const char character : text) {
     hash ^= static_cast<unsigned char>(character);
     hash *= kPrime;

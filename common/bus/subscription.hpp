@@ -26,10 +26,10 @@ class SubscriptionHost {
   // Something came, whatever it is: the bus is not deaf.
   virtual void note_traffic() = 0;
   // A checked message of `utime` came in. True if that lies on the time line of the bus.
-  virtual bool note_utime(int64_t utime) = 0;
-  virtual int64_t newest_utime() const = 0;
+  virtual bool note_utime(std::int64_t utime) = 0;
+  virtual std::int64_t newest_utime() const = 0;
   // How far `utime` is ahead of this host's clock, s, if further than clocks may disagree; else 0.
-  virtual double ahead_of_clock(int64_t utime) const = 0;
+  virtual double ahead_of_clock(std::int64_t utime) const = 0;
   // Logs at most once a second per channel.
   virtual void complain(const std::string& channel, const std::string& what) = 0;
   // Every event is handled as it comes: replaying a log.

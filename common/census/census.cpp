@@ -14,8 +14,8 @@ std::string last_part(const std::string& channel) {
 }
 
 // Between the first and the last event where there are enough of them, else over the whole span.
-double rate(int64_t events, int64_t first_us, int64_t last_us, double listened_s) {
-  constexpr int64_t kEnough = 3;
+double rate(std::int64_t events, std::int64_t first_us, std::int64_t last_us, double listened_s) {
+  constexpr std::int64_t kEnough = 3;
   if (events >= kEnough && last_us > first_us) {
     return static_cast<double>(events - 1) / (kSeconds * static_cast<double>(last_us - first_us));
   }
@@ -57,7 +57,7 @@ void Census::hear(const Heard& message) {
   tally.sequence.observe(*message.session, message.seq.value_or(0));
 }
 
-void Census::note_writer(ChannelTally* tally, int64_t session) {
+void Census::note_writer(ChannelTally* tally, std::int64_t session) {
   const auto writer = tally->writers.find(session);
   if (writer != tally->writers.end()) {
     ++writer->second;
@@ -88,13 +88,13 @@ void Census::know(const KnownProcesses& known) {
   }
 }
 
-void Census::hear(const ServiceWord& word, int64_t utime) {
+void Census::hear(const ServiceWord& word, std::int64_t utime) {
   const Process process{word.robot, word.name, word.host, word.pid, word.session};
   const bool known = known_.have(word);
   if (!has_room(services_.size(), kMaxServices, known) && services_.count(process) == 0) return;
   if (known && has_room(known_sessions_.size(), kMaxServices, false)) known_sessions_.insert(word.session);
   ServiceTally& tally = services_[process];
-  const int64_t behind = utime - word.utime;
+  const std::int64_t behind = utime - word.utime;
   tally.behind_us = tally.heard == 0 ? behind : std::min(tally.behind_us, behind);
   channel_words_ -= tally.newest.channels.size();
   tally.newest = word;
@@ -116,8 +116,8 @@ bool Census::is_duplicate(const ServiceTally& tally) const {
 }
 
 // Where several claim it: the one that is known, or else the one that has said most.
-std::map<int64_t, const Census::ServiceTally*> Census::owners() const {
-  std::map<int64_t, const ServiceTally*> owners;
+std::map<std::int64_t, const Census::ServiceTally*> Census::owners() const {
+  std::map<std::int64_t, const ServiceTally*> owners;
   const auto rank = [this](const ServiceTally& tally) {
     return std::make_pair(known_.have(tally.newest), tally.heard);
   };
@@ -128,15 +128,15 @@ std::map<int64_t, const Census::ServiceTally*> Census::owners() const {
   return owners;
 }
 
-Report Census::report(int64_t utime) const {
+Report Census::report(std::int64_t utime) const {
   Report report;
   report.listened_s = kSeconds * static_cast<double>(utime - begin_us_);
   const auto owner_of = owners();
-  const auto name_of = [&owner_of](int64_t session) {
+  const auto name_of = [&owner_of](std::int64_t session) {
     const auto owner = owner_of.find(session);
     return owner == owner_of.end() ? std::string() : owner->second->newest.name;
   };
-  std::map<int64_t, std::vector<std::string>> written;
+  std::map<std::int64_t, std::vector<std::string>> written;
   for (const auto& [channel, tally] : channels_) {
     ChannelReport line;
     line.channel = channel;

@@ -18,31 +18,32 @@ namespace markservo::census {
 
 // A message on a channel of ours whose type this build does not know: another version of the channel's own.
 struct OtherVersion {
-  std::string type;      // ours
-  int64_t our_hash = 0;  // its fingerprint here
-  int64_t session = 0;   // of the writer, which stands in every version (lcmtypes/README.md); 0: not told
+  std::string type;           // ours
+  std::int64_t our_hash = 0;  // its fingerprint here
+  std::int64_t session = 0;   // of the writer, which stands in every version (lcmtypes/README.md); 0: not told
 };
 
 // One message as it came off the bus.
 struct Heard {
   std::string channel;
-  int64_t hash = 0;  // the type's fingerprint
-  std::string type;  // its name; empty when unknown
-  int64_t bytes = 0;
-  int64_t utime = 0;               // us, this host's wall clock when it came
-  std::optional<int64_t> session;  // of the writer; nothing when the type has none or the message cannot be decoded
-  std::optional<int64_t> seq;
+  std::int64_t hash = 0;  // the type's fingerprint
+  std::string type;       // its name; empty when unknown
+  std::int64_t bytes = 0;
+  std::int64_t utime = 0;  // us, this host's wall clock when it came
+  std::optional<std::int64_t>
+      session;  // of the writer; nothing when the type has none or the message cannot be decoded
+  std::optional<std::int64_t> seq;
   std::optional<OtherVersion> other_version;
 };
 
 // What a service says of one channel that it reads; ChannelStatus.lcm defines each figure.
 struct ChannelWord {
   std::string channel;
-  int64_t received = 0;
-  int64_t skipped = 0;
-  int64_t lost = 0;
-  int64_t decode_failures = 0;
-  int64_t refused = 0;
+  std::int64_t received = 0;
+  std::int64_t skipped = 0;
+  std::int64_t lost = 0;
+  std::int64_t decode_failures = 0;
+  std::int64_t refused = 0;
   bool second_writer = false;
   double age = -1.0;         // s
   double latency_p50 = 0.0;  // s
@@ -55,12 +56,12 @@ struct ServiceWord {
   std::string name;
   std::string host;
   int pid = 0;
-  int64_t session = 0;
+  std::int64_t session = 0;
   std::string version;
-  int64_t config_hash = 0;
+  std::int64_t config_hash = 0;
   std::string state;
   std::string reason;
-  int64_t utime = 0;  // us, its host's wall clock
+  std::int64_t utime = 0;  // us, its host's wall clock
   std::vector<ChannelWord> channels;
 };
 
@@ -78,7 +79,7 @@ bool is_for_many(const std::string& channel);
 
 struct ServiceReport {
   ServiceWord newest;
-  int64_t heard = 0;                // SERVICE_STATUS messages
+  std::int64_t heard = 0;           // SERVICE_STATUS messages
   double silent_s = 0.0;            // since the newest
   double clock_behind_s = 0.0;      // this host's clock minus the service's: the least that was seen, so with the least
                                     // delay on the way; negative when the service's clock is ahead
@@ -87,29 +88,29 @@ struct ServiceReport {
 };
 
 struct WriterReport {
-  int64_t session = 0;
+  std::int64_t session = 0;
   std::string service;  // its name; empty when no SERVICE_STATUS of that session was heard
-  int64_t events = 0;
+  std::int64_t events = 0;
 };
 
 // Who writes another version of the channel's type.
 struct OtherWriterReport {
   std::string type;  // ours
-  int64_t our_hash = 0;
-  int64_t hash = 0;  // theirs
-  int64_t session = 0;
+  std::int64_t our_hash = 0;
+  std::int64_t hash = 0;  // theirs
+  std::int64_t session = 0;
   std::string service;  // its name; empty when no SERVICE_STATUS of that session was heard
-  int64_t events = 0;
+  std::int64_t events = 0;
 };
 
 struct ChannelReport {
   std::string channel;
   std::string type;
-  int64_t hash = 0;  // of the newest message
-  int64_t events = 0;
+  std::int64_t hash = 0;  // of the newest message
+  std::int64_t events = 0;
   double hz = 0.0;
   double bytes_per_s = 0.0;
-  int64_t lost = 0;  // gaps in seq
+  std::int64_t lost = 0;  // gaps in seq
   bool several_types = false;
   bool two_writers = false;  // two sessions write in turn where only one may
   std::vector<WriterReport> writers;
@@ -133,17 +134,17 @@ struct KnownProcesses {
 class Census {
  public:
   // `utime`: us, when listening began by this host's wall clock; what came before is not counted.
-  explicit Census(int64_t utime) : begin_us_(utime) {}
+  explicit Census(std::int64_t utime) : begin_us_(utime) {}
 
   void hear(const Heard& message);
   // From now on these are known: what they say and write finds room whatever others send under other names, and where
   // two processes claim one session it is theirs.
   void know(const KnownProcesses& known);
   // A SERVICE_STATUS; the same message goes to hear(Heard) too. `utime`: us, when it came.
-  void hear(const ServiceWord& word, int64_t utime);
+  void hear(const ServiceWord& word, std::int64_t utime);
 
   // `utime`: us, when listening ended.
-  Report report(int64_t utime) const;
+  Report report(std::int64_t utime) const;
 
  private:
   // More are not kept apart: a hostile writer must not take all memory.
@@ -163,40 +164,40 @@ class Census {
   }
 
   struct ChannelTally {
-    int64_t events = 0;
-    int64_t bytes = 0;
-    int64_t first_us = 0;
-    int64_t last_us = 0;
-    int64_t hash = 0;
+    std::int64_t events = 0;
+    std::int64_t bytes = 0;
+    std::int64_t first_us = 0;
+    std::int64_t last_us = 0;
+    std::int64_t hash = 0;
     bool several_types = false;
     std::string type;
-    std::map<int64_t, int64_t> writers;  // events by session
+    std::map<std::int64_t, std::int64_t> writers;  // events by session
     std::vector<OtherWriterReport> other_versions;
     bus::SequenceMonitor sequence;
   };
   struct ServiceTally {
     ServiceWord newest;
-    int64_t heard = 0;
-    int64_t last_us = 0;
-    int64_t behind_us = 0;
+    std::int64_t heard = 0;
+    std::int64_t last_us = 0;
+    std::int64_t behind_us = 0;
   };
-  using Name = std::pair<std::string, std::string>;                                 // robot, name
-  using Process = std::tuple<std::string, std::string, std::string, int, int64_t>;  // and host, pid, session
+  using Name = std::pair<std::string, std::string>;                                      // robot, name
+  using Process = std::tuple<std::string, std::string, std::string, int, std::int64_t>;  // and host, pid, session
 
   bool is_duplicate(const ServiceTally& tally) const;
   // The process that each session belongs to.
-  std::map<int64_t, const ServiceTally*> owners() const;
-  void note_writer(ChannelTally* tally, int64_t session);
+  std::map<std::int64_t, const ServiceTally*> owners() const;
+  void note_writer(ChannelTally* tally, std::int64_t session);
   static void note_other_version(ChannelTally* tally, const Heard& message);
 
-  int64_t begin_us_;
+  std::int64_t begin_us_;
   std::map<std::string, ChannelTally> channels_;
   std::map<Process, ServiceTally> services_;
   std::map<Name, bus::SequenceMonitor> names_;
   KnownProcesses known_;
-  std::set<int64_t> known_sessions_;  // of theirs
-  std::size_t writers_ = 0;           // of all channels
-  std::size_t channel_words_ = 0;     // of all services
+  std::set<std::int64_t> known_sessions_;  // of theirs
+  std::size_t writers_ = 0;                // of all channels
+  std::size_t channel_words_ = 0;          // of all services
 };
 
 }  // namespace markservo::census

@@ -2,6 +2,7 @@
 
 #include <lcm/lcm_coretypes.h>
 
+#include <cstdint>
 #include <limits>
 #include <markservo/channels.hpp>
 
@@ -32,7 +33,7 @@ void read_writer(const reflection::MessageType& type, const void* data, std::siz
   std::size_t at = kNumber;
   for (const reflection::Field& field : type.fields) {
     if (field.kind != reflection::Kind::kInt64 || !field.dimensions.empty() || at + kNumber > size) return;
-    int64_t value = 0;
+    std::int64_t value = 0;
     __int64_t_decode_array(data, static_cast<int>(at), static_cast<int>(size - at), &value, 1);
     if (field.name == "session" && value >= 1) heard->session = value;
     if (field.name == "seq" && value >= 0 && heard->session) heard->seq = value;
@@ -50,7 +51,7 @@ bool is_of_unknown_type(const void* data, std::size_t size) {
 // where there is none.
 bool read_text(const char* data, std::size_t size, std::size_t* at, std::string* text) {
   constexpr std::size_t kLength = 4;  // bytes
-  int32_t length = 0;
+  std::int32_t length = 0;
   if (*at + kLength > size) return false;
   __int32_t_decode_array(data, static_cast<int>(*at), static_cast<int>(size - *at), &length, 1);
   *at += kLength;
@@ -65,7 +66,7 @@ bool read_text(const char* data, std::size_t size, std::size_t* at, std::string*
 std::optional<ServiceWord> head_in(const std::string& channel, const void* bytes, std::size_t size) {
   const char* data = static_cast<const char*>(bytes);
   constexpr std::size_t kNumbers = 4;
-  int64_t numbers[kNumbers] = {};  // fingerprint, utime, session, seq
+  std::int64_t numbers[kNumbers] = {};  // fingerprint, utime, session, seq
   if (size < sizeof numbers || size > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
   __int64_t_decode_array(data, 0, static_cast<int>(size), numbers, kNumbers);
   std::size_t at = sizeof numbers;
@@ -86,14 +87,15 @@ std::optional<ServiceWord> head_in(const std::string& channel, const void* bytes
 
 }  // namespace
 
-Heard heard_of(const std::string& channel, const void* data, std::size_t size, std::size_t whole_size, int64_t utime) {
+Heard heard_of(const std::string& channel, const void* data, std::size_t size, std::size_t whole_size,
+               std::int64_t utime) {
   Heard heard;
   heard.channel = text::printable(channel);
-  heard.bytes = static_cast<int64_t>(whole_size);
+  heard.bytes = static_cast<std::int64_t>(whole_size);
   heard.utime = utime;
   std::uint64_t fingerprint = 0;
   if (!reflection::read_fingerprint(data, size, &fingerprint)) return heard;
-  heard.hash = static_cast<int64_t>(fingerprint);
+  heard.hash = static_cast<std::int64_t>(fingerprint);
   const reflection::MessageType* type = reflection::TypeCatalog::ours().find(fingerprint);
   if (type != nullptr) {
     heard.type = type->name;
@@ -101,7 +103,8 @@ Heard heard_of(const std::string& channel, const void* data, std::size_t size, s
   } else if (const reflection::MessageType* ours = type_of_channel(channel)) {
     Heard head;
     read_writer(*ours, data, size, &head);
-    heard.other_version = OtherVersion{ours->name, static_cast<int64_t>(ours->fingerprint), head.session.value_or(0)};
+    heard.other_version =
+        OtherVersion{ours->name, static_cast<std::int64_t>(ours->fingerprint), head.session.value_or(0)};
   }
   return heard;
 }

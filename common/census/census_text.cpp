@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "common/reflection/type_catalog.hpp"
@@ -14,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // As text: JSON's numbers hold 53 bits.
-std::string hex(int64_t number) {
+std::string hex(std::int64_t number) {
   return reflection::fingerprint_text(static_cast<std::uint64_t>(number));
 }
 
@@ -112,9 +113,9 @@ std::string remarks_of(const ServiceReport& service) {
 }
 
 Row row_of(const ServiceReport& service) {
-  int64_t skipped = 0;
-  int64_t lost = 0;
-  int64_t refused = 0;
+  std::int64_t skipped = 0;
+  std::int64_t lost = 0;
+  std::int64_t refused = 0;
   double latency = 0.0;
   for (const ChannelWord& word : service.newest.channels) {
     skipped += word.skipped;

@@ -8,11 +8,11 @@ namespace {
 
 struct Union {
   static constexpr bool kGrows = true;
-  static uint64_t of(uint64_t a, uint64_t b) { return a | b; }
+  static std::uint64_t of(std::uint64_t a, std::uint64_t b) { return a | b; }
 };
 struct Intersection {
   static constexpr bool kGrows = false;
-  static uint64_t of(uint64_t a, uint64_t b) { return a & b; }
+  static std::uint64_t of(std::uint64_t a, std::uint64_t b) { return a & b; }
 };
 
 // A square of 2 reach + 1 px by ever longer shifts, each at most one longer than all before it: then no gap is left at
@@ -23,12 +23,12 @@ int next_step(int done, int reach) {
 
 // words[i] = Operation of it and the pixels `step` px left and right of it. `last` are the last word's pixels.
 template <class Operation>
-void spread_along(uint64_t* words, int count, int step, uint64_t last) {
+void spread_along(std::uint64_t* words, int count, int step, std::uint64_t last) {
   const int back = BitMask::kWordBits - step;
-  uint64_t previous = 0;
+  std::uint64_t previous = 0;
   for (int i = 0; i < count; ++i) {
-    const uint64_t here = words[i];
-    const uint64_t next = i + 1 < count ? words[i + 1] : 0;
+    const std::uint64_t here = words[i];
+    const std::uint64_t next = i + 1 < count ? words[i + 1] : 0;
     words[i] = Operation::of(here, Operation::of((here << step) | (previous >> back), (here >> step) | (next << back)));
     previous = here;
   }
@@ -37,7 +37,7 @@ void spread_along(uint64_t* words, int count, int step, uint64_t last) {
 
 // a[i] = Operation of it and a[i + step]; beyond the end nothing is set.
 template <class Operation>
-void combine_up(uint64_t* a, std::size_t count, std::size_t step) {
+void combine_up(std::uint64_t* a, std::size_t count, std::size_t step) {
   const std::size_t inside = count > step ? count - step : 0;
   for (std::size_t i = 0; i < inside; ++i) a[i] = Operation::of(a[i], a[i + step]);
   if (!Operation::kGrows) std::fill(a + inside, a + count, 0);
@@ -45,7 +45,7 @@ void combine_up(uint64_t* a, std::size_t count, std::size_t step) {
 
 // a[i] = Operation of it and a[i - step].
 template <class Operation>
-void combine_down(uint64_t* a, std::size_t count, std::size_t step) {
+void combine_down(std::uint64_t* a, std::size_t count, std::size_t step) {
   for (std::size_t i = count; i > step; --i) a[i - 1] = Operation::of(a[i - 1], a[i - 1 - step]);
   if (!Operation::kGrows) std::fill(a, a + std::min(step, count), 0);
 }
@@ -63,7 +63,7 @@ void BitMask::spread(const BitMask& mask, int reach) {
   height_ = mask.height_;
   words_per_row_ = mask.words_per_row_;
   if (words_.empty()) return;
-  const uint64_t last = low_bits((width_ - 1) % kWordBits + 1);
+  const std::uint64_t last = low_bits((width_ - 1) % kWordBits + 1);
   for (int done = 0, step = 0; done < reach; done += step) {
     step = next_step(done, reach);
     for (int v = 0; v < height_; ++v) {
@@ -105,11 +105,11 @@ void BitMask::reset(int width, int height) {
 int BitMask::next_used(int v) const {
   if (v >= height_) return height_;
   const void* found = std::memchr(used_.data() + v, 1, static_cast<std::size_t>(height_ - v));
-  return found == nullptr ? height_ : static_cast<int>(static_cast<const uint8_t*>(found) - used_.data());
+  return found == nullptr ? height_ : static_cast<int>(static_cast<const std::uint8_t*>(found) - used_.data());
 }
 
 void BitMask::set_run(int v, int begin, int end) {
-  uint64_t* words = row(v);
+  std::uint64_t* words = row(v);
   for (int u = begin; u < end;) {
     const int bit = u % kWordBits;
     const int n = std::min(kWordBits - bit, end - u);
@@ -119,30 +119,30 @@ void BitMask::set_run(int v, int begin, int end) {
 }
 
 int BitMask::next(int v, int u, bool wanted) const {
-  const uint64_t* words = row(v);
-  const uint64_t flip = wanted ? 0 : ~uint64_t{0};
+  const std::uint64_t* words = row(v);
+  const std::uint64_t flip = wanted ? 0 : ~std::uint64_t{0};
   while (u < width_) {
-    const uint64_t rest = (words[u / kWordBits] ^ flip) >> (u % kWordBits);
+    const std::uint64_t rest = (words[u / kWordBits] ^ flip) >> (u % kWordBits);
     if (rest != 0) return std::min(width_, u + __builtin_ctzll(rest));
     u += kWordBits - u % kWordBits;
   }
   return width_;
 }
 
-uint64_t BitMask::window(int u, int v) const {
+std::uint64_t BitMask::window(int u, int v) const {
   if (v < 0 || v >= height_ || u >= width_ || u <= -kWordBits) return 0;
-  const uint64_t* words = row(v);
+  const std::uint64_t* words = row(v);
   if (u < 0) return words[0] << -u;
   const int word = u / kWordBits;
   const int bit = u % kWordBits;
-  uint64_t bits = words[word] >> bit;
+  std::uint64_t bits = words[word] >> bit;
   if (bit > 0 && word + 1 < words_per_row_) bits |= words[word + 1] << (kWordBits - bit);
   return bits;
 }
 
-int64_t BitMask::count() const {
-  int64_t n = 0;
-  for (const uint64_t word : words_) n += count_bits(word);
+std::int64_t BitMask::count() const {
+  std::int64_t n = 0;
+  for (const std::uint64_t word : words_) n += count_bits(word);
   return n;
 }
 
@@ -157,9 +157,9 @@ void erode(const BitMask& mask, int reach, BitMask& result) {
 void complement(BitMask& mask) {
   const int words = mask.words_per_row();
   if (words == 0) return;
-  const uint64_t last = low_bits((mask.width() - 1) % BitMask::kWordBits + 1);
+  const std::uint64_t last = low_bits((mask.width() - 1) % BitMask::kWordBits + 1);
   for (int v = 0; v < mask.height(); ++v) {
-    uint64_t* row = mask.row(v);
+    std::uint64_t* row = mask.row(v);
     for (int i = 0; i < words; ++i) row[i] = ~row[i];
     row[words - 1] &= last;
   }
@@ -170,15 +170,15 @@ void transpose(const BitMask& mask, BitMask& result) {
   result.reset(mask.height(), mask.width());
   for (int top = 0; top < mask.height(); top += kBits) {
     for (int word = 0; word < mask.words_per_row(); ++word) {
-      uint64_t block[kBits] = {};
-      uint64_t any = 0;
+      std::uint64_t block[kBits] = {};
+      std::uint64_t any = 0;
       for (int v = 0; v < std::min(kBits, mask.height() - top); ++v) any |= block[v] = mask.row(top + v)[word];
       if (any == 0) continue;
       // Swaps the off-diagonal squares of ever smaller blocks (Warren, Hacker's Delight, 7-3).
-      uint64_t low = 0x00000000FFFFFFFF;
+      std::uint64_t low = 0x00000000FFFFFFFF;
       for (int j = kBits / 2; j != 0; j /= 2, low ^= low << j) {
         for (int k = 0; k < kBits; k = ((k | j) + 1) & ~j) {
-          const uint64_t swapped = ((block[k] >> j) ^ block[k + j]) & low;
+          const std::uint64_t swapped = ((block[k] >> j) ^ block[k + j]) & low;
           block[k] ^= swapped << j;
           block[k + j] ^= swapped;
         }

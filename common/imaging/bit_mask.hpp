@@ -27,11 +27,11 @@ class BitMask {
   int words_per_row() const { return words_per_row_; }
 
   // From here on the row counts as in use, until it is declared empty.
-  uint64_t* row(int v) {
+  std::uint64_t* row(int v) {
     used_[static_cast<std::size_t>(v)] = 1;
     return words_.data() + offset(v);
   }
-  const uint64_t* row(int v) const { return words_.data() + offset(v); }
+  const std::uint64_t* row(int v) const { return words_.data() + offset(v); }
   // What was written to row v is all clear.
   void declare_empty(int v) { used_[static_cast<std::size_t>(v)] = 0; }
   // True only if nothing is set in row v; a row that was written may be empty all the same.
@@ -39,8 +39,8 @@ class BitMask {
 
   bool test(int u, int v) const { return (row(v)[u / kWordBits] >> (u % kWordBits)) & 1U; }
   void set(int u, int v, bool value) {
-    const uint64_t bit = uint64_t{1} << (u % kWordBits);
-    uint64_t& word = row(v)[u / kWordBits];
+    const std::uint64_t bit = std::uint64_t{1} << (u % kWordBits);
+    std::uint64_t& word = row(v)[u / kWordBits];
     word = value ? word | bit : word & ~bit;
   }
   // Sets the pixels [begin, end) of row v.
@@ -49,10 +49,10 @@ class BitMask {
   // First pixel at or after `u` in row v whose bit is `wanted`, or the width.
   int next(int v, int u, bool wanted) const;
   // The 64 pixels of row v from column u on, lowest bit first; zero beyond the mask, on every side.
-  uint64_t window(int u, int v) const;
+  std::uint64_t window(int u, int v) const;
 
   // Number of set pixels.
-  int64_t count() const;
+  std::int64_t count() const;
 
   bool operator==(const BitMask& other) const {
     return width_ == other.width_ && height_ == other.height_ && words_ == other.words_;
@@ -73,12 +73,12 @@ class BitMask {
   int width_ = 0;
   int height_ = 0;
   int words_per_row_ = 0;
-  std::vector<uint64_t> words_;
-  std::vector<uint8_t> used_;  // of each row
+  std::vector<std::uint64_t> words_;
+  std::vector<std::uint8_t> used_;  // of each row
 };
 
 // How many bits are set; without the instruction for it, which not every processor has (Warren, Hacker's Delight, 5-1).
-inline int count_bits(uint64_t bits) {
+inline int count_bits(std::uint64_t bits) {
   bits -= (bits >> 1) & 0x5555555555555555U;
   bits = (bits & 0x3333333333333333U) + ((bits >> 2) & 0x3333333333333333U);
   bits = (bits + (bits >> 4)) & 0x0F0F0F0F0F0F0F0FU;
@@ -86,8 +86,8 @@ inline int count_bits(uint64_t bits) {
 }
 
 // The lowest n bits, 0 or more; all from 64 on.
-inline uint64_t low_bits(int n) {
-  return n >= BitMask::kWordBits ? ~uint64_t{0} : (uint64_t{1} << n) - 1;
+inline std::uint64_t low_bits(int n) {
+  return n >= BitMask::kWordBits ? ~std::uint64_t{0} : (std::uint64_t{1} << n) - 1;
 }
 
 // Every pixel within `reach`, 0 or more, of a set one along rows and columns (a square around each). `result` keeps its

@@ -1,6 +1,7 @@
 // The rules of what the arm and who moves it say to each other.
 
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <markservo/JointCommand.hpp>
 #include <markservo/JointState.hpp>
@@ -14,8 +15,8 @@
 namespace markservo::messages {
 namespace {
 
-std::string joints_violation(int32_t num_joints, std::initializer_list<const std::vector<double>*> vectors) {
-  constexpr int32_t kMaxJoints = 16;
+std::string joints_violation(std::int32_t num_joints, std::initializer_list<const std::vector<double>*> vectors) {
+  constexpr std::int32_t kMaxJoints = 16;
   if (num_joints < 0 || num_joints > kMaxJoints) return wrong("num_joints", num_joints, "0 to 16");
   for (const auto* vector : vectors) {
     if (!all_finite(*vector)) return not_finite("a joint's value");

@@ -1,6 +1,7 @@
 // The rules of what the base's services say to each other.
 
 #include <cmath>
+#include <cstdint>
 #include <markservo/BaseCommand.hpp>
 #include <markservo/BaseGoal.hpp>
 #include <markservo/BaseStatus.hpp>
@@ -15,13 +16,13 @@ namespace markservo::messages {
 namespace {
 
 constexpr double kMaxDistance = 1e8;  // m, way of a wheel since the start
-constexpr int64_t kMaxRound_us = 60'000'000;
-constexpr int32_t kMaxHits = 10'000;
-constexpr int32_t kMaxEchoes = 64;
+constexpr std::int64_t kMaxRound_us = 60'000'000;
+constexpr std::int32_t kMaxHits = 10'000;
+constexpr std::int32_t kMaxEchoes = 64;
 constexpr std::size_t kMaxUidLength = 64;
 constexpr double kMaxSonarRange = 100.0;  // m; ultrasound in air is gone long before
 
-std::string time_violation(const char* field, int64_t utime) {
+std::string time_violation(const char* field, std::int64_t utime) {
   if (utime >= 0 && utime <= kMaxCount) return {};
   return wrong(field, utime, "0 to 2^53 us");
 }
@@ -39,7 +40,7 @@ std::string MessageRules<RfidTagHits>::violation(const RfidTagHits& hits) {
   if (!texts.why().empty()) return texts.why();
   if (auto why = time_violation("window_start", hits.window_start); !why.empty()) return why;
   if (auto why = time_violation("window_end", hits.window_end); !why.empty()) return why;
-  const int64_t round = hits.window_end - hits.window_start;
+  const std::int64_t round = hits.window_end - hits.window_start;
   if (round < 0 || round > kMaxRound_us) {
     return wrong("window_end - window_start", round, "0 to 60000000 us");
   }

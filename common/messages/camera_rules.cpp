@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <markservo/MarkDetection.hpp>
 #include <markservo/StereoFrame.hpp>
 #include <markservo/StereoMatches.hpp>
@@ -13,9 +14,10 @@
 namespace markservo::messages {
 namespace {
 
-constexpr int32_t kMaxImageSide = 16384;               // px
-constexpr int64_t kMaxFramePixels = int64_t{1} << 25;  // 100 MB a side as BGR; a JPEG of a few bytes can claim any size
-constexpr double kMaxMarkVariance = 4e5;  // m^2; an answer may add two marks' and stays below kMaxCovariance
+constexpr std::int32_t kMaxImageSide = 16384;  // px
+constexpr std::int64_t kMaxFramePixels = std::int64_t{1}
+                                         << 25;  // 100 MB a side as BGR; a JPEG of a few bytes can claim any size
+constexpr double kMaxMarkVariance = 4e5;         // m^2; an answer may add two marks' and stays below kMaxCovariance
 
 std::string calibration_violation(const StereoCalibration& c) {
   if (!all_finite({c.fx, c.fy, c.cx_left, c.cx_right, c.cy, c.baseline})) return not_finite("calibration");
@@ -25,7 +27,7 @@ std::string calibration_violation(const StereoCalibration& c) {
   return {};
 }
 
-std::string size_violation(const std::string& of, int32_t width, int32_t height) {
+std::string size_violation(const std::string& of, std::int32_t width, std::int32_t height) {
   if (width < 1 || width > kMaxImageSide) return wrong(of + "width", width, "1 to 16384 px");
   if (height < 1 || height > kMaxImageSide) return wrong(of + "height", height, "1 to 16384 px");
   return {};
@@ -71,11 +73,11 @@ void each_name(Message& message, Visit& visit) {
 
 std::string MessageRules<StereoFrame>::violation(const StereoFrame& frame) {
   if (auto why = size_violation("", frame.width, frame.height); !why.empty()) return why;
-  const int64_t pixels = static_cast<int64_t>(frame.width) * frame.height;
+  const std::int64_t pixels = static_cast<std::int64_t>(frame.width) * frame.height;
   if (pixels > kMaxFramePixels) return wrong("width * height", pixels, "at most 33554432 px");
   if (auto why = calibration_violation(frame.calibration); !why.empty()) return why;
   if (frame.encoding == StereoFrame::ENCODING_BGR8) {
-    const int64_t size = 3 * pixels;
+    const std::int64_t size = 3 * pixels;
     if (frame.left_size != size) return wrong("left_size", frame.left_size, "width * height * 3 bytes for BGR8");
     if (frame.right_size != size) return wrong("right_size", frame.right_size, "width * height * 3 bytes for BGR8");
   } else if (frame.encoding != StereoFrame::ENCODING_JPEG) {

@@ -1,5 +1,6 @@
 // The rules of what every service says of itself.
 
+#include <cstdint>
 #include <markservo/ServiceStatus.hpp>
 
 #include "common/messages/rule_words.hpp"
@@ -24,7 +25,7 @@ std::string MessageRules<ServiceStatus>::violation(const ServiceStatus& status) 
   each_text(status, texts);
   if (!texts.why().empty()) return texts.why();
   for (const auto& channel : status.channels) {
-    for (const int64_t count :
+    for (const std::int64_t count :
          {channel.received, channel.skipped, channel.lost, channel.decode_failures, channel.refused}) {
       if (auto why = count_violation("a count of " + channel.channel, count); !why.empty()) return why;
     }

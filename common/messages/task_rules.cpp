@@ -1,5 +1,6 @@
 // The rules of what operators, task-manager and all that can be stopped say to each other.
 
+#include <cstdint>
 #include <markservo/StopRequest.hpp>
 #include <markservo/StopState.hpp>
 #include <markservo/TaskCommand.hpp>
@@ -29,13 +30,13 @@ void each_text_of_task(State& state, Visit& visit) {
 }
 
 // Who asks, so that the answer can name him: 0 stands for nobody there.
-std::string asker_violation(int64_t session, const char* id_field, int64_t id) {
+std::string asker_violation(std::int64_t session, const char* id_field, std::int64_t id) {
   if (session < 1) return wrong("session", session, "1 or more");
   return count_violation(id_field, id);
 }
 
 // A time that is none is unknown.
-void mend_time(int64_t& utime) {
+void mend_time(std::int64_t& utime) {
   if (utime < 0 || utime > kMaxCount) utime = 0;
 }
 

@@ -1,6 +1,7 @@
 #include "services/bus-census/bus_census_node.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "common/bus/end_signals.hpp"
 #include "common/census/census_messages.hpp"
@@ -32,9 +33,9 @@ void BusCensusNode::listen(double seconds) {
 }
 
 void BusCensusNode::listen_on(double seconds) {
-  const int64_t end = steady_clock_us() + static_cast<int64_t>(1e6 * seconds);
-  for (int64_t left = end - steady_clock_us(); left > 0 && !bus::told_to_end(); left = end - steady_clock_us()) {
-    listener_.poll(std::chrono::milliseconds(std::min<int64_t>(left / 1000 + 1, 100)));
+  const std::int64_t end = steady_clock_us() + static_cast<std::int64_t>(1e6 * seconds);
+  for (std::int64_t left = end - steady_clock_us(); left > 0 && !bus::told_to_end(); left = end - steady_clock_us()) {
+    listener_.poll(std::chrono::milliseconds(std::min<std::int64_t>(left / 1000 + 1, 100)));
   }
   end_us_ = wall_clock_us();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -30,7 +31,7 @@ class BusCensusNode {
 
   bus::Listener listener_;
   std::optional<census::Census> census_;
-  int64_t end_us_ = 0;  // when listening ended, us
+  std::int64_t end_us_ = 0;  // when listening ended, us
 };
 
 }  // namespace markservo::bus_census

@@ -1,6 +1,7 @@
 // bus-census: listens for a moment and tells who is on the bus and what each writes.
 //   in: all channels     out: standard output
 
+#include <cstdint>
 #include <iostream>
 
 #include "common/bus/clock_tolerance.hpp"
@@ -33,7 +34,7 @@ struct Options {
   bool defaults = false;
   RoomWish room;
   std::vector<int> own;
-  std::vector<int64_t> own_sessions;
+  std::vector<std::int64_t> own_sessions;
 };
 
 void print(const Json& json) {
@@ -41,7 +42,7 @@ void print(const Json& json) {
 }
 
 Json receive_buffer() {
-  constexpr int64_t kAsked = 4'194'304;  // bytes, as the default URL does
+  constexpr std::int64_t kAsked = 4'194'304;  // bytes, as the default URL does
   const auto granted = markservo::bus::granted_receive_buffer(kAsked);
   return {{"asked", kAsked},
           {"granted", granted ? Json(*granted) : Json()},
@@ -83,10 +84,10 @@ int run(const Options& options) {
     node.on_status = [](const census::ServiceWord& word) { print(census::json_of(word)); };
     print({{"listening", options.url}});
   }
-  const int64_t wall_us = markservo::wall_clock_us();
-  const int64_t steady_us = markservo::steady_clock_us();
+  const std::int64_t wall_us = markservo::wall_clock_us();
+  const std::int64_t steady_us = markservo::steady_clock_us();
   node.listen(options.seconds);
-  const int64_t jump_us = (markservo::wall_clock_us() - wall_us) - (markservo::steady_clock_us() - steady_us);
+  const std::int64_t jump_us = (markservo::wall_clock_us() - wall_us) - (markservo::steady_clock_us() - steady_us);
   if (options.follow) return markservo::bus::kExitStopped;
   if (!options.room.services.empty()) return tell_room(options, &node);
   if (!options.json) {

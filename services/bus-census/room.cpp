@@ -1,6 +1,7 @@
 #include "services/bus-census/room.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <markservo/channels.hpp>
 
@@ -46,7 +47,7 @@ std::string who(const ServiceWord& word) {
 
 // The newest word of the process that writes with this session, one of the wish's own if it is claimed by several;
 // null: it has said none.
-const ServiceWord* word_of(const Report& report, const RoomWish& wish, int64_t session) {
+const ServiceWord* word_of(const Report& report, const RoomWish& wish, std::int64_t session) {
   const ServiceWord* word = nullptr;
   for (const ServiceReport& service : report.services) {
     if (service.newest.session != session) continue;

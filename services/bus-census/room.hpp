@@ -2,6 +2,7 @@
 
 // Whether services may be started on a bus: nobody else may write there what one alone may write.
 
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,11 +13,11 @@
 namespace markservo::bus_census {
 
 struct RoomWish {
-  std::vector<std::string> services;  // what shall be started
-  std::optional<std::string> robot;   // its channels' prefix, empty for none; nothing: any robot's count
-  std::string host;                   // where they shall be started,
-  std::set<int> own;                  // and the processes there that are no obstacle: those that they replace,
-  std::set<int64_t> own_sessions;     // and what they write by, where that is known
+  std::vector<std::string> services;    // what shall be started
+  std::optional<std::string> robot;     // its channels' prefix, empty for none; nothing: any robot's count
+  std::string host;                     // where they shall be started,
+  std::set<int> own;                    // and the processes there that are no obstacle: those that they replace,
+  std::set<std::int64_t> own_sessions;  // and what they write by, where that is known
 };
 
 // Whether one of the services writes what one alone may write. None does: nobody can be in its way.

@@ -35,7 +35,7 @@ void ChannelWatch::follow(std::int64_t session, std::int64_t seq, double now) {
   }
   Writer& writer = writers_[session];
   writer.heard = now;
-  const int64_t missing = writer.gaps.observe(seq);
+  const std::int64_t missing = writer.gaps.observe(seq);
   if (lost_) lost_ = std::min(*lost_ + missing, bus::kMaxLost);
 }
 

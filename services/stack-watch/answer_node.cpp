@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "common/census/census_text.hpp"
@@ -32,7 +33,7 @@ std::string StackWatchNode::answer() {
   }
   Json services = Json::array();
   for (const RunningProcess& process : supervised_.running) {
-    const int64_t silent_us = silence_.silent_for_us(process.name, process.pid, when.steady_us);
+    const std::int64_t silent_us = silence_.silent_for_us(process.name, process.pid, when.steady_us);
     services.push_back({{"name", process.name},
                         {"pid", process.pid},
                         {"silent_s", silent_us < 0 ? Json() : Json(1e-6 * static_cast<double>(silent_us))}});

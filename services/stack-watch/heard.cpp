@@ -38,7 +38,7 @@ void RecentCensus::tick(Instant now) {
   }
 }
 
-std::optional<int64_t> RecentCensus::state_since_us(const census::ServiceWord& word) const {
+std::optional<std::int64_t> RecentCensus::state_since_us(const census::ServiceWord& word) const {
   const auto state = states_.find({word.name, word.host, word.pid});
   if (state == states_.end()) return std::nullopt;
   return state->second.since_us;

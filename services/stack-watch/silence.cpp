@@ -5,7 +5,7 @@
 
 namespace markservo::stack_watch {
 
-void SilenceWatch::hear_word(const std::string& name, int pid, int64_t session, int64_t now_us) {
+void SilenceWatch::hear_word(const std::string& name, int pid, std::int64_t session, std::int64_t now_us) {
   const Key key{name, pid};
   const auto found = speakers_.find(key);
   if (found == speakers_.end()) return;
@@ -21,12 +21,12 @@ void SilenceWatch::hear_word(const std::string& name, int pid, int64_t session, 
   hear_of(key, now_us);
 }
 
-void SilenceWatch::hear_session(int64_t session, int64_t now_us) {
+void SilenceWatch::hear_session(std::int64_t session, std::int64_t now_us) {
   const auto key = speaker_of_.find(session);
   if (key != speaker_of_.end()) hear_of(key->second, now_us);
 }
 
-void SilenceWatch::hear_of(const Key& key, int64_t now_us) {
+void SilenceWatch::hear_of(const Key& key, std::int64_t now_us) {
   Speaker& speaker = speakers_[key];
   speaker.heard_us = now_us;
   speaker.counted_us = std::max(speaker.counted_us, now_us);
@@ -38,7 +38,7 @@ void SilenceWatch::send_beacon() {
   if (beacons_.size() > kBeaconsKept) beacons_.pop_front();
 }
 
-void SilenceWatch::hear_beacon(int64_t now_us) {
+void SilenceWatch::hear_beacon(std::int64_t now_us) {
   if (bus_is_gone()) {
     count_anew(now_us + parameters_.return_us);
     beacons_.clear();  // what was missed then was no chance
@@ -50,7 +50,7 @@ void SilenceWatch::hear_beacon(int64_t now_us) {
   if (!beacons_.empty()) beacons_.back() = true;
 }
 
-std::vector<SilentService> SilenceWatch::tick(const std::vector<RunningProcess>& processes, int64_t now_us) {
+std::vector<SilentService> SilenceWatch::tick(const std::vector<RunningProcess>& processes, std::int64_t now_us) {
   follow(processes, now_us);
   if (ticked_us_ >= 0 && now_us - ticked_us_ > parameters_.leap_us) count_anew(now_us);
   ticked_us_ = now_us;
@@ -64,17 +64,17 @@ std::vector<SilentService> SilenceWatch::tick(const std::vector<RunningProcess>&
   return silent;
 }
 
-bool SilenceWatch::is_silent(const Key& key, const Speaker& speaker, int64_t now_us) {
+bool SilenceWatch::is_silent(const Key& key, const Speaker& speaker, std::int64_t now_us) {
   if (speaker.spoke) return now_us - speaker.counted_us >= limit_us();
   int& mute = mute_[key.first];
-  const int64_t start_us = parameters_.start_us << std::min(mute, parameters_.start_doubled);
+  const std::int64_t start_us = parameters_.start_us << std::min(mute, parameters_.start_doubled);
   if (now_us - speaker.counted_us < std::max(limit_us(), start_us)) return false;
   if (have_spoken_.count(key.first) == 0 && mute >= parameters_.mute_in_a_row) return false;
   ++mute;
   return true;
 }
 
-void SilenceWatch::follow(const std::vector<RunningProcess>& processes, int64_t now_us) {
+void SilenceWatch::follow(const std::vector<RunningProcess>& processes, std::int64_t now_us) {
   std::set<Key> running;
   for (const RunningProcess& process : processes) {
     const Key key{process.name, process.pid};
@@ -92,7 +92,7 @@ void SilenceWatch::follow(const std::vector<RunningProcess>& processes, int64_t 
   }
 }
 
-int64_t SilenceWatch::limit_us() const {
+std::int64_t SilenceWatch::limit_us() const {
   // The newest may still be on its way.
   const auto known = static_cast<double>(beacons_.empty() ? 0 : beacons_.size() - 1);
   double missed = 0.0;
@@ -100,15 +100,15 @@ int64_t SilenceWatch::limit_us() const {
   const double share = (missed + 0.5) / (known + 1.0);
   // So many words, one a second, are lost one after another less often than `chance`.
   const double words = std::min(std::log(parameters_.chance) / std::log(std::min(share, 0.95)), 300.0);
-  return std::max(parameters_.silence_us, static_cast<int64_t>(1e6 * words));
+  return std::max(parameters_.silence_us, static_cast<std::int64_t>(1e6 * words));
 }
 
-int64_t SilenceWatch::silent_for_us(const std::string& name, int pid, int64_t now_us) const {
+std::int64_t SilenceWatch::silent_for_us(const std::string& name, int pid, std::int64_t now_us) const {
   const auto speaker = speakers_.find({name, pid});
   return speaker == speakers_.end() || !speaker->second.spoke ? -1 : now_us - speaker->second.heard_us;
 }
 
-void SilenceWatch::count_anew(int64_t from_us) {
+void SilenceWatch::count_anew(std::int64_t from_us) {
   for (auto& [key, speaker] : speakers_) speaker.counted_us = std::max(speaker.counted_us, from_us);
 }
 

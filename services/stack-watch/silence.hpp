@@ -16,20 +16,20 @@ namespace markservo::stack_watch {
 
 struct SilenceParameters {
   // Five words are missed then, of one a second, and a machine under load delays one by 1 to 2 s.
-  int64_t silence_us = 5'000'000;
+  std::int64_t silence_us = 5'000'000;
   // For the first word: a service reads its files before, which takes a loaded machine several seconds.
-  int64_t start_us = 15'000'000;
+  std::int64_t start_us = 15'000'000;
   // Twice as long for the next one of its name, so often: a kill would only have it begin the same work again.
   int start_doubled = 4;
   // So many processes of a name in a row are told that say no word, where none of that name ever did: it may speak on
   // another bus.
   int mute_in_a_row = 3;
   // Longer between two ticks, and the watch itself was held up: it knows nothing of that time.
-  int64_t leap_us = 1'000'000;
+  std::int64_t leap_us = 1'000'000;
   // Own words that do not come back one after another before the bus counts as gone. One a second.
   int beacons_missed = 3;
   // What they have on top of silence_us to join the bus again.
-  int64_t return_us = 5'000'000;
+  std::int64_t return_us = 5'000'000;
   // Where messages are lost, silence may be chance: the limit grows until that is less likely than this.
   double chance = 1e-6;
 };
@@ -47,7 +47,7 @@ struct RunningProcess {
 struct SilentService {
   std::string name;
   int pid = 0;
-  int64_t silent_us = 0;
+  std::int64_t silent_us = 0;
   bool spoke = false;
 };
 
@@ -56,49 +56,49 @@ class SilenceWatch {
   explicit SilenceWatch(SilenceParameters parameters = {}) : parameters_(parameters) {}
 
   // A service's own word: its SERVICE_STATUS, from this host.
-  void hear_word(const std::string& name, int pid, int64_t session, int64_t now_us);
+  void hear_word(const std::string& name, int pid, std::int64_t session, std::int64_t now_us);
   // Any other message of that session.
-  void hear_session(int64_t session, int64_t now_us);
+  void hear_session(std::int64_t session, std::int64_t now_us);
   // The watch sends a word of its own once a second, which comes back while there is a bus.
   void send_beacon();
-  void hear_beacon(int64_t now_us);
+  void hear_beacon(std::int64_t now_us);
 
   // To be called at least four times a second: those silent for too long, of the processes that run now. Each is told
   // once, and then counted anew. One that is not in `processes` is never told, nor listened to.
-  std::vector<SilentService> tick(const std::vector<RunningProcess>& processes, int64_t now_us);
+  std::vector<SilentService> tick(const std::vector<RunningProcess>& processes, std::int64_t now_us);
 
   // Own words do not come back: nobody can be judged.
   bool bus_is_gone() const { return beacons_in_a_row_missed_ >= parameters_.beacons_missed; }
   // How long a service may be silent now, us.
-  int64_t limit_us() const;
+  std::int64_t limit_us() const;
   // Since its last sign of life, us; -1 for one that never spoke.
-  int64_t silent_for_us(const std::string& name, int pid, int64_t now_us) const;
+  std::int64_t silent_for_us(const std::string& name, int pid, std::int64_t now_us) const;
 
  private:
   using Key = std::pair<std::string, int>;  // name and pid
   struct Speaker {
     bool spoke = false;
-    int64_t session = 0;
-    int64_t heard_us = 0;    // the last sign of life, or since when it must speak
-    int64_t counted_us = 0;  // silence counts from here
+    std::int64_t session = 0;
+    std::int64_t heard_us = 0;    // the last sign of life, or since when it must speak
+    std::int64_t counted_us = 0;  // silence counts from here
   };
 
-  void hear_of(const Key& key, int64_t now_us);
-  void follow(const std::vector<RunningProcess>& processes, int64_t now_us);
-  bool is_silent(const Key& key, const Speaker& speaker, int64_t now_us);
-  void count_anew(int64_t from_us);
+  void hear_of(const Key& key, std::int64_t now_us);
+  void follow(const std::vector<RunningProcess>& processes, std::int64_t now_us);
+  bool is_silent(const Key& key, const Speaker& speaker, std::int64_t now_us);
+  void count_anew(std::int64_t from_us);
 
   static constexpr std::size_t kBeaconsKept = 20;
 
   SilenceParameters parameters_;
-  std::map<Key, Speaker> speakers_;    // the processes of the last tick
-  std::map<int64_t, Key> speaker_of_;  // by session
-  std::set<std::string> have_spoken_;  // names, of a process of the stack
-  std::map<std::string, int> mute_;    // how many processes of a name in a row were told that said no word
-  std::deque<bool> beacons_;           // the last ones, the newest at the end: whether it came back
+  std::map<Key, Speaker> speakers_;         // the processes of the last tick
+  std::map<std::int64_t, Key> speaker_of_;  // by session
+  std::set<std::string> have_spoken_;       // names, of a process of the stack
+  std::map<std::string, int> mute_;         // how many processes of a name in a row were told that said no word
+  std::deque<bool> beacons_;                // the last ones, the newest at the end: whether it came back
   int beacons_in_a_row_missed_ = 0;
   bool heard_no_beacon_ = true;  // until the first comes back
-  int64_t ticked_us_ = -1;
+  std::int64_t ticked_us_ = -1;
 };
 
 }  // namespace markservo::stack_watch

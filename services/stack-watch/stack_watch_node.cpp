@@ -29,8 +29,8 @@ using std::chrono::milliseconds;
 
 constexpr const char* kName = census::kStackWatch;
 constexpr milliseconds kTick{200};
-constexpr int64_t kSecond_us = 1'000'000;
-constexpr int64_t kTold_us = 60 * kSecond_us;  // how long SERVICE_STATUS tells of what happened
+constexpr std::int64_t kSecond_us = 1'000'000;
+constexpr std::int64_t kTold_us = 60 * kSecond_us;  // how long SERVICE_STATUS tells of what happened
 constexpr std::size_t kKillsKept = 20;
 constexpr std::size_t kMaxReason = 200;  // bytes, as any text on the bus
 
@@ -58,11 +58,11 @@ StackWatchNode::~StackWatchNode() {
 
 void StackWatchNode::run() {
   keep_bus();
-  int64_t spoken_us = 0;
-  int64_t ticked_us = 0;
+  std::int64_t spoken_us = 0;
+  std::int64_t ticked_us = 0;
   while (!bus::told_to_end()) {
     socket_.poll(kTick, [this](const Datagram& datagram) { hear(datagram); });
-    const int64_t steady_us = steady_clock_us();
+    const std::int64_t steady_us = steady_clock_us();
     if (steady_us - ticked_us >= 1000 * kTick.count()) {
       ticked_us = steady_us;
       tick();
@@ -221,7 +221,7 @@ std::string StackWatchNode::orphans() const {
 }
 
 std::string StackWatchNode::reason(bool* well) const {
-  const int64_t wall_us = wall_clock_us();
+  const std::int64_t wall_us = wall_clock_us();
   *well = supervised_.cannot_ask.empty() && (supervised_.alive || !supervised_.ever_alive);
   if (!supervised_.cannot_ask.empty()) return "the supervisor cannot be asked: " + supervised_.cannot_ask;
   if (!*well) return "the supervisor is dead; services still run: " + orphans();

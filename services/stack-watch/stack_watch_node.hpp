@@ -50,7 +50,7 @@ class StackWatchNode {
     std::vector<RunningProcess> running;  // of them
     bool alive = false;
     bool ever_alive = false;
-    int64_t changed_us = 0;  // wall clock: since when it is alive, or is not
+    std::int64_t changed_us = 0;  // wall clock: since when it is alive, or is not
     std::string why_not;
     std::string cannot_ask;  // why it was not asked last; empty where it was
   };
@@ -59,7 +59,7 @@ class StackWatchNode {
     int pid = 0;
     double silent_s = 0.0;
     bool spoke = false;
-    int64_t utime = 0;  // wall clock, us
+    std::int64_t utime = 0;  // wall clock, us
   };
 
   void hear(const Datagram& datagram);
@@ -74,8 +74,8 @@ class StackWatchNode {
 
   StackWatchSettings settings_;
   std::string host_;
-  int64_t session_;
-  int64_t seq_ = 0;
+  std::int64_t session_;
+  std::int64_t seq_ = 0;
   GroupDevice socket_;
   std::atomic<bool> ended_{false};
   std::thread asking_;
@@ -87,9 +87,9 @@ class StackWatchNode {
   std::deque<Kill> kills_;
   bool bus_was_gone_ = false;
   std::string bus_problem_;
-  int64_t bus_changed_us_ = 0;  // wall clock
-  int64_t crafted_ = 0;         // datagrams
-  int64_t crafted_us_ = 0;      // wall clock, of the newest
+  std::int64_t bus_changed_us_ = 0;  // wall clock
+  std::int64_t crafted_ = 0;         // datagrams
+  std::int64_t crafted_us_ = 0;      // wall clock, of the newest
   std::string crafted_from_;
 };
 

@@ -1,5 +1,6 @@
 #include "services/visual-servo/servo_messages.hpp"
 
+#include <cstdint>
 #include <markservo/JointCommand.hpp>
 #include <markservo/JointState.hpp>
 #include <markservo/ServoGoal.hpp>
@@ -25,7 +26,7 @@ Eigen::Matrix3d matrix_of(const Covariance3& c) {
   return matrix;
 }
 
-GoalKind kind_of(int8_t kind) {
+GoalKind kind_of(std::int8_t kind) {
   switch (kind) {
     case ServoGoal::HOLD:
       return GoalKind::kHold;

@@ -33,9 +33,9 @@ const Answer* answer_to(const StereoFrame& frame, const std::deque<Answer>& answ
   return nullptr;
 }
 
-cv::Mat decode(const StereoFrame& frame, const std::vector<uint8_t>& bytes) {
+cv::Mat decode(const StereoFrame& frame, const std::vector<std::uint8_t>& bytes) {
   if (frame.encoding == StereoFrame::ENCODING_JPEG) return cv::imdecode(bytes, cv::IMREAD_COLOR);
-  return cv::Mat(frame.height, frame.width, CV_8UC3, const_cast<uint8_t*>(bytes.data())).clone();
+  return cv::Mat(frame.height, frame.width, CV_8UC3, const_cast<std::uint8_t*>(bytes.data())).clone();
 }
 
 void write_text(cv::Mat& image, const std::string& text, cv::Point at, double scale) {
@@ -84,7 +84,7 @@ void draw_labels(cv::Mat& image, const TargetPose& pose, const MarkDetection& de
 
 }  // namespace
 
-Eyes::Eyes(bus::Bus& bus, std::function<void(int64_t seq)> on_frame) {
+Eyes::Eyes(bus::Bus& bus, std::function<void(std::int64_t seq)> on_frame) {
   bus.on_each(channels::kStereoFrame, [this, told = std::move(on_frame)](const StereoFrame& frame) {
     told(frame.seq);
     remember(frames_, frame);

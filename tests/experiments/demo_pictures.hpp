@@ -18,7 +18,7 @@ namespace markservo::experiments {
 class Eyes {
  public:
   // `on_frame` is told the seq of every frame that is heard.
-  Eyes(bus::Bus& bus, std::function<void(int64_t seq)> on_frame);
+  Eyes(bus::Bus& bus, std::function<void(std::int64_t seq)> on_frame);
 
   // Writes the newest frame that all answers are known of (else the newest frame) as a PNG: left and right image side
   // by side, with the boxes, the matched points and the measured positions of the marks.

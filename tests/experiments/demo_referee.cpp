@@ -4,6 +4,7 @@
 //        JOINT_COMMAND, SIM_BASE_TRUTH, ROBOT_POSE, BASE_COMMAND, BASE_GOAL
 //   out: SIM_CONTROL, STOP, TASK_COMMAND; DIR/report.json, DIR/{look,grip,lift}.png, with --drive DIR/drive.png
 
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -43,15 +44,15 @@ struct DemoOptions {
 // Seconds of the world's time that went by, whatever it begins with anew: a simulator that restarts sets it back.
 class CourseClock {
  public:
-  void see(int64_t utime) {
+  void see(std::int64_t utime) {
     if (last_ && utime > *last_) passed_us_ += utime - *last_;
     last_ = utime;
   }
   double seconds() const { return 1e-6 * static_cast<double>(passed_us_); }
 
  private:
-  std::optional<int64_t> last_;
-  int64_t passed_us_ = 0;
+  std::optional<std::int64_t> last_;
+  std::int64_t passed_us_ = 0;
 };
 
 std::optional<Pose2> drive_pose(const DemoOptions& demo) {
@@ -100,7 +101,7 @@ class Demo {
         target_(target),
         rig_(options.lcm_url, "", demo.lockstep ? Rig::Pace::kLockstep : Rig::Pace::kRealTime),
         latency_(rig_.bus()),
-        eyes_(rig_.bus(), [this](int64_t seq) { latency_.frame(seq); }),
+        eyes_(rig_.bus(), [this](std::int64_t seq) { latency_.frame(seq); }),
         stale_motion_(rig_.bus()),
         drive_(rig_.bus()),
         stale_drive_(rig_.bus()),
@@ -124,7 +125,7 @@ class Demo {
     clock_.see(rig_.truth().utime);
     SimTruth before = rig_.truth();
     Course course;
-    int8_t shown = -1;
+    std::int8_t shown = -1;
     int attempt = 0;
     while (true) {
       const TaskState& task = rig_.task();
@@ -199,7 +200,7 @@ class Demo {
     std::fflush(stdout);
   }
 
-  void picture(int8_t state) const {
+  void picture(std::int8_t state) const {
     const auto write = [&](const char* name, const std::string& title) {
       eyes_.write((std::filesystem::path(options_.out) / name).string(), title);
     };

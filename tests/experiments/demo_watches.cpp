@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t kRememberedFrames = 32;
 // The arm's own watchdog holds it after 0.3 s without a command; then it needs a moment to come to rest.
-constexpr int64_t kStale_us = 350'000;
+constexpr std::int64_t kStale_us = 350'000;
 constexpr double kStill = 0.0005;     // m
 constexpr double kUprightTilt = 3.0;  // deg
 
-double seconds(int64_t utime) {
+double seconds(std::int64_t utime) {
   return 1e-6 * static_cast<double>(utime);
 }
 
@@ -32,7 +32,7 @@ CommandLatency::CommandLatency(bus::Bus& bus) {
   bus.on_each(channels::kJointCommand, [this](const JointCommand& command) { note(command); });
 }
 
-void CommandLatency::frame(int64_t seq) {
+void CommandLatency::frame(std::int64_t seq) {
   frames_.emplace_back(seq, std::chrono::steady_clock::now());
   if (frames_.size() > kRememberedFrames) frames_.pop_front();
 }
@@ -44,7 +44,7 @@ void CommandLatency::note(const JointCommand& command) {
   }
 }
 
-void LiftWatch::observe(const SimTruth& truth, const std::string& target, int8_t state) {
+void LiftWatch::observe(const SimTruth& truth, const std::string& target, std::int8_t state) {
   const SimBody* body = find_body(truth, target);
   if (body == nullptr) return;
   if (state == TaskState::LIFT) *this = LiftWatch();  // another attempt counts alone
@@ -88,14 +88,14 @@ void StaleMotionWatch::note(const JointCommand& command) {
   last_command_ = now_;
 }
 
-void StaleMotionWatch::note_gap(int64_t until_utime) {
+void StaleMotionWatch::note_gap(std::int64_t until_utime) {
   const double gap = seconds(until_utime - last_command_);
   if (!phase_ || gap <= longest_) return;
   longest_ = gap;
   longest_phase_ = phase_;
 }
 
-void StaleMotionWatch::observe(const SimTruth& truth, int8_t phase) {
+void StaleMotionWatch::observe(const SimTruth& truth, std::int8_t phase) {
   if (!phase_) last_command_ = std::max(last_command_, truth.utime);  // what was before the task is not judged
   phase_ = phase;
   const bool same_world = truth.session == truth_session_ && shaft_.size() == truth.shaft.size();

@@ -22,12 +22,12 @@ namespace markservo::experiments {
 class CommandLatency {
  public:
   explicit CommandLatency(bus::Bus& bus);
-  void frame(int64_t seq);
+  void frame(std::int64_t seq);
   const std::vector<double>& milliseconds() const { return milliseconds_; }
 
  private:
   void note(const JointCommand& command);
-  std::deque<std::pair<int64_t, std::chrono::steady_clock::time_point>> frames_;
+  std::deque<std::pair<std::int64_t, std::chrono::steady_clock::time_point>> frames_;
   std::vector<double> milliseconds_;
 };
 
@@ -36,12 +36,12 @@ class CommandLatency {
 class LiftWatch {
  public:
   // `state` as in TaskState.
-  void observe(const SimTruth& truth, const std::string& target, int8_t state);
+  void observe(const SimTruth& truth, const std::string& target, std::int8_t state);
   double held() const { return held_; }        // s
   double highest() const { return highest_; }  // m
 
  private:
-  std::optional<int64_t> since_;
+  std::optional<std::int64_t> since_;
   bool over_ = false;
   double held_ = 0.0;
   double highest_ = 0.0;
@@ -64,24 +64,24 @@ class StaleMotionWatch {
  public:
   explicit StaleMotionWatch(bus::Bus& bus);
   // `phase`: the task's state when the truth was heard.
-  void observe(const SimTruth& truth, int8_t phase);
+  void observe(const SimTruth& truth, std::int8_t phase);
   double moved() const { return moved_; }      // rad, of the farthest joint
   double longest() const { return longest_; }  // s, without a fresh command while the world ran
   // The task's state during that time; nothing before the first observation.
-  std::optional<int8_t> phase() const { return longest_phase_; }
+  std::optional<std::int8_t> phase() const { return longest_phase_; }
 
  private:
   void note(const JointCommand& command);
-  void note_gap(int64_t until_utime);
+  void note_gap(std::int64_t until_utime);
 
-  int64_t world_session_ = 0;
-  int64_t now_ = 0;           // us, the world's, at 100 Hz by JOINT_STATE
-  int64_t last_command_ = 0;  // us, the world's time when it was heard
-  int64_t answered_session_ = 0;
-  int64_t answered_seq_ = 0;
-  std::optional<int8_t> phase_;
-  std::optional<int8_t> longest_phase_;
-  int64_t truth_session_ = 0;
+  std::int64_t world_session_ = 0;
+  std::int64_t now_ = 0;           // us, the world's, at 100 Hz by JOINT_STATE
+  std::int64_t last_command_ = 0;  // us, the world's time when it was heard
+  std::int64_t answered_session_ = 0;
+  std::int64_t answered_seq_ = 0;
+  std::optional<std::int8_t> phase_;
+  std::optional<std::int8_t> longest_phase_;
+  std::int64_t truth_session_ = 0;
   bool was_stale_ = false;
   std::vector<double> shaft_;  // rad, where it was when the input became stale
   double moved_ = 0.0;

@@ -38,7 +38,7 @@ bool DriveWatch::driving() const {
   return phase_ == TaskState::DRIVE;
 }
 
-void DriveWatch::observe(int8_t phase) {
+void DriveWatch::observe(std::int8_t phase) {
   const bool before = driving();
   phase_ = phase;
   if (driving() && !before) ++drives_;

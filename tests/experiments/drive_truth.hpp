@@ -44,7 +44,7 @@ class DriveWatch {
  public:
   explicit DriveWatch(bus::Bus& bus);
   // `phase`: the task's state from now on; to be called at every frame of the task.
-  void observe(int8_t phase);
+  void observe(std::int8_t phase);
   // From now on the base must rest.
   void expect_rest() { rest_since_way_ = way_ + strayed_; }
   DriveResult result(const Pose2& goal) const;
@@ -58,7 +58,7 @@ class DriveWatch {
   void note(const RobotPose& told);
   bool driving() const;
 
-  std::optional<int8_t> phase_;
+  std::optional<std::int8_t> phase_;
   std::optional<SimBaseTruth> last_;
   std::deque<SimBaseTruth> recent_;  // what a ROBOT_POSE may answer
   std::vector<Pose2> true_way_, told_way_;

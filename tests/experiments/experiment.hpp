@@ -20,7 +20,7 @@ namespace markservo::experiments {
 
 struct ExperimentOptions {
   int trials = 1;
-  int64_t seed = 1;
+  std::int64_t seed = 1;
   std::string out = "logs/experiment";  // folder of the results
   std::string robot_file = "config/robot.yaml";
   std::string scene = "config/scenes/shelf.yaml";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -44,7 +45,7 @@ bool truly_lifted(const SimTruth& truth, const std::string& target) {
   return body != nullptr && held_free(*body);
 }
 
-GraspTrial run_trial(Rig& rig, const GraspCell& cell, const Book& book, double mark_height, int64_t seed,
+GraspTrial run_trial(Rig& rig, const GraspCell& cell, const Book& book, double mark_height, std::int64_t seed,
                      Rig::Settings settings) {
   settings.emplace_back("books.x", cell.x);
   settings.emplace_back("books.y", cell.y);
@@ -66,7 +67,7 @@ GraspTrial run_trial(Rig& rig, const GraspCell& cell, const Book& book, double m
     rig.step([&] { return rig.task_answered(); });
     if (rig.task().result != TaskState::RESULT_NONE) break;
   }
-  const int8_t result = rig.task().result;
+  const std::int8_t result = rig.task().result;
   trial.reason = rig.task().reason;
   if (result == TaskState::RESULT_LIFTED) {
     trial.result = "lifted";

@@ -7,7 +7,7 @@
 namespace markservo::experiments {
 
 struct GraspTrial {
-  int64_t seed = 0;
+  std::int64_t seed = 0;
   std::string result;  // lifted, refused, failed
   std::string reason;
   bool arm_touched = false;  // the arm touched anything, by truth

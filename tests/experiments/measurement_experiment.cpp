@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <lcm/lcm-cpp.hpp>
 #include <map>
@@ -131,14 +132,14 @@ std::vector<Sample> take_samples(const ExperimentOptions& options, const robot::
 }
 
 // Feeds the samples, their calibration scaled, through a real target-locator by way of logs.
-std::map<int64_t, TargetPose> locate(const Services& services, const std::vector<Sample>& samples,
-                                     const std::string& folder, const std::string& method, double f_scale,
-                                     double b_scale) {
+std::map<std::int64_t, TargetPose> locate(const Services& services, const std::vector<Sample>& samples,
+                                          const std::string& folder, const std::string& method, double f_scale,
+                                          double b_scale) {
   const std::string in = folder + "/detections.lcm";
   const std::string out = folder + "/poses.lcm";
   {
     lcm::LCM log("file://" + in + "?mode=w");
-    int64_t number = 0;
+    std::int64_t number = 0;
     for (const auto& sample : samples) {
       MarkDetection detection = sample.detection;
       detection.frame_seq = ++number;  // the sample's number finds it again
@@ -151,7 +152,7 @@ std::map<int64_t, TargetPose> locate(const Services& services, const std::vector
   const int code = services.run("target-locator", {"--method", method, "--lcm-in", "file://" + in + "?speed=0",
                                                    "--lcm-out", "file://" + out + "?mode=w"});
   if (code != 0) throw RigFailure("target-locator ended with exit code " + std::to_string(code));
-  std::map<int64_t, TargetPose> poses;
+  std::map<std::int64_t, TargetPose> poses;
   lcm::LogFile log(out, "r");
   while (const auto* event = log.good() ? log.readNextEvent() : nullptr) {
     if (event->channel != channels::kTargetPose.name) continue;
@@ -168,11 +169,11 @@ std::optional<Eigen::Vector3d> located(const TargetPose& pose, const std::string
   return std::nullopt;
 }
 
-Errors score(const std::vector<Sample>& samples, std::map<int64_t, TargetPose> poses, const std::string& target,
+Errors score(const std::vector<Sample>& samples, std::map<std::int64_t, TargetPose> poses, const std::string& target,
              const std::string& hand) {
   Errors errors;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const TargetPose& pose = poses[static_cast<int64_t>(i) + 1];
+    const TargetPose& pose = poses[static_cast<std::int64_t>(i) + 1];
     const auto p_CT = located(pose, target);
     if (!p_CT) {
       ++errors.missing;

@@ -63,7 +63,7 @@ void Rig::wait_for_world() {
   wait("the simulator's first SIM_TRUTH", [this] { return truth_.frame_seq > 0; });
 }
 
-void Rig::reset(int64_t seed, const Settings& settings) {
+void Rig::reset(std::int64_t seed, const Settings& settings) {
   SimControl control{};
   control.kind = SimControl::RESET;
   control.session = controls_.session();
@@ -74,7 +74,7 @@ void Rig::reset(int64_t seed, const Settings& settings) {
     control.parameters.back().name = name;
     control.parameters.back().value = value;
   }
-  control.num_parameters = static_cast<int32_t>(control.parameters.size());
+  control.num_parameters = static_cast<std::int32_t>(control.parameters.size());
   const auto send = [&] {
     control.utime = truth_.utime;  // anew each time: an old one is refused
     controls_.publish(control);
@@ -129,8 +129,8 @@ void Rig::step(const std::function<bool()>& answered) {
     goal_.utime = goal_sent_utime_ = truth_.utime;
     goals_.publish(goal_);
   }
-  const int64_t session = truth_.frame_session;
-  const int64_t seq = truth_.frame_seq;
+  const std::int64_t session = truth_.frame_session;
+  const std::int64_t seq = truth_.frame_seq;
   send_step();
   wait(
       "the next frame", [&] { return truth_.frame_session != session || truth_.frame_seq > seq; },

@@ -50,7 +50,7 @@ class Rig {
   // Waits until the simulator speaks.
   void wait_for_world();
   // SIM_CONTROL RESET; throws RigFailure if the simulator refuses a setting. The arm is latched afterwards.
-  void reset(int64_t seed, const Settings& settings);
+  void reset(std::int64_t seed, const Settings& settings);
   // STOP reset, until every device that has spoken says it is unlatched. In lockstep once `answered` (if given) holds
   // for the present frame, so that the services learn of it between the same two frames in every run.
   void unlatch(const std::function<bool()>& answered = {});
@@ -71,7 +71,7 @@ class Rig {
   const ServoStatus& servo() const { return servo_; }
   const TaskState& task() const { return task_; }
   const MarkDetection& detection() const { return detection_; }
-  int64_t goal_id() const { return goal_.goal_id; }
+  std::int64_t goal_id() const { return goal_.goal_id; }
   // For channels of the experiment's own.
   bus::Bus& bus() { return bus_; }
 
@@ -104,8 +104,8 @@ class Rig {
   MarkDetection detection_{};
   ServoGoal goal_{};
   std::set<pid_t> started_;  // processes whose service has said that it runs
-  int64_t next_id_ = 1;
-  int64_t goal_sent_utime_ = 0;
+  std::int64_t next_id_ = 1;
+  std::int64_t goal_sent_utime_ = 0;
 };
 
 }  // namespace markservo::experiments

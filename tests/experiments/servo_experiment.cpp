@@ -3,6 +3,7 @@
 // paper's.
 
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -88,7 +89,7 @@ Start draw_start(const robot::RobotDescription& robot, double mark_height, doubl
 }
 
 Trial run_trial(Rig& rig, const robot::RobotDescription& robot, const std::string& target, const Start& start,
-                const Servos& servos, int delay_frames, int64_t seed) {
+                const Servos& servos, int delay_frames, std::int64_t seed) {
   rig.reset(seed, {{"books.x", start.book.x()},
                    {"books.y", start.book.y()},
                    {"servo.deadband_deg", servos.deadband_deg},
@@ -150,7 +151,7 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
     rig.wait_for_service("visual-servo", services.start("visual-servo", {"--law", law}));
     for (const auto& servos : kServos) {
       for (int delay = 1; delay <= 3; ++delay) {
-        std::mt19937 random(static_cast<uint32_t>(options.seed));  // the same starts for every case
+        std::mt19937 random(static_cast<std::uint32_t>(options.seed));  // the same starts for every case
         std::vector<double> frames;
         std::vector<double> errors;
         int converged = 0;

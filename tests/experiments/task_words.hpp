@@ -7,11 +7,11 @@
 
 namespace markservo::experiments {
 
-inline const char* task_state_name(int8_t state) {
+inline const char* task_state_name(std::int8_t state) {
   return state >= TaskState::IDLE && state <= TaskState::DRIVE ? name_of(static_cast<TaskPhase>(state)) : "unknown";
 }
 
-inline const char* task_state_words(int8_t state) {
+inline const char* task_state_words(std::int8_t state) {
   switch (state) {
     case TaskState::DRIVE:
       return "to where the target can be taken";
@@ -44,7 +44,7 @@ inline const char* task_state_words(int8_t state) {
   }
 }
 
-inline const char* task_result_name(int8_t result) {
+inline const char* task_result_name(std::int8_t result) {
   switch (result) {
     case TaskState::RESULT_LIFTED:
       return "lifted";

@@ -1,6 +1,7 @@
 // Writes the seeds of messages_fuzz: one valid message of each type, the larger ones filled.
 // usage: make_message_seeds FOLDER     (run it again when a message type changes; FOLDER is corpus/messages_fuzz)
 
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
@@ -42,8 +43,8 @@ StereoFrame valid_message<StereoFrame>() {
   const cv::Mat image(frame.height, frame.width, CV_8UC3, cv::Scalar(40, 35, 190));
   cv::imencode(".jpg", image, frame.left);
   frame.right = frame.left;
-  frame.left_size = static_cast<int32_t>(frame.left.size());
-  frame.right_size = static_cast<int32_t>(frame.right.size());
+  frame.left_size = static_cast<std::int32_t>(frame.left.size());
+  frame.right_size = static_cast<std::int32_t>(frame.right.size());
   return frame;
 }
 
@@ -56,9 +57,9 @@ MarkView view() {
   view.patch.width = 8;
   view.patch.height = 8;
   view.patch.bgr.resize(8 * 8 * 3, 100);
-  view.patch.bgr_size = static_cast<int32_t>(view.patch.bgr.size());
+  view.patch.bgr_size = static_cast<std::int32_t>(view.patch.bgr.size());
   view.patch.mask.resize(8, 0xff);
-  view.patch.mask_size = static_cast<int32_t>(view.patch.mask.size());
+  view.patch.mask_size = static_cast<std::int32_t>(view.patch.mask.size());
   return view;
 }
 
@@ -186,12 +187,12 @@ BaseGoal valid_message<BaseGoal>() {
 }
 
 template <class M>
-void write(const std::string& folder, uint8_t index) {
+void write(const std::string& folder, std::uint8_t index) {
   const M message = valid_message<M>();
   if (const std::string why = messages::broken_rule(message); !why.empty()) {
     std::fprintf(stderr, "the seed of %s is not valid: %s\n", M::getTypeName(), why.c_str());
   }
-  std::vector<uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
   message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
   bytes.insert(bytes.begin(), index);
   std::ofstream(folder + "/" + M::getTypeName(), std::ios::binary)
@@ -200,7 +201,7 @@ void write(const std::string& folder, uint8_t index) {
 
 template <class... Types>
 void write_all(const std::string& folder, Channels<Types...>) {
-  uint8_t index = 0;
+  std::uint8_t index = 0;
   (write<Types>(folder, index++), ...);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "services/target-locator/pose_message.hpp"
@@ -20,10 +21,10 @@ using fuzz::require;
 
 constexpr int kMaxMarks = 4;
 
-int32_t whole(double value) {
-  constexpr double kLeast = std::numeric_limits<int32_t>::min();
-  constexpr double kMost = std::numeric_limits<int32_t>::max();
-  return std::isnan(value) ? 0 : static_cast<int32_t>(std::clamp(value, kLeast, kMost));
+std::int32_t whole(double value) {
+  constexpr double kLeast = std::numeric_limits<std::int32_t>::min();
+  constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+  return std::isnan(value) ? 0 : static_cast<std::int32_t>(std::clamp(value, kLeast, kMost));
 }
 
 MarkView message_of(FuzzedDataProvider& data, const View& view, const fuzz::PrintedPatch& patch) {
@@ -43,9 +44,9 @@ MarkView message_of(FuzzedDataProvider& data, const View& view, const fuzz::Prin
   message.patch.scale = whole(view.patch.frame.scale);
   message.patch.width = patch.width;
   message.patch.height = patch.height;
-  message.patch.bgr_size = static_cast<int32_t>(patch.bgr.size());
+  message.patch.bgr_size = static_cast<std::int32_t>(patch.bgr.size());
   message.patch.bgr = patch.bgr;
-  message.patch.mask_size = static_cast<int32_t>(patch.mask.size());
+  message.patch.mask_size = static_cast<std::int32_t>(patch.mask.size());
   message.patch.mask = patch.mask;
   return message;
 }
@@ -67,7 +68,7 @@ MarkDetection take_detection(FuzzedDataProvider& data) {
   for (int i = 0; i < num_marks; ++i) {
     DetectedMark mark{};
     mark.name = data.ConsumeIntegralInRange(0, 3) < 3 ? "red_book" : data.ConsumeRandomLengthString(2000);
-    mark.role = data.ConsumeIntegralInRange<int8_t>(0, 1);
+    mark.role = data.ConsumeIntegralInRange<std::int8_t>(0, 1);
     mark.separability = fuzz::number(data, 1.0, 0.0, 1.0);
     fuzz::PrintedMark printed;
     fuzz::print_mark(data, true, printed);
@@ -75,7 +76,7 @@ MarkDetection take_detection(FuzzedDataProvider& data) {
     mark.right = message_of(data, printed.observation.right, printed.right);
     detection.marks.push_back(std::move(mark));
   }
-  detection.num_marks = static_cast<int32_t>(detection.marks.size());
+  detection.num_marks = static_cast<std::int32_t>(detection.marks.size());
   return detection;
 }
 
@@ -88,7 +89,7 @@ void run(FuzzedDataProvider& data) {
     require(pose.getEncodedSize() <= kMaxPoseBytes, "a TARGET_POSE fits one packet");
   });
   node.bus().on_each(channels::kStereoMatches, [&matches](const StereoMatches&) { ++matches; });
-  std::vector<uint8_t> bytes = fuzz::encoded(take_detection(data));
+  std::vector<std::uint8_t> bytes = fuzz::encoded(take_detection(data));
   if (data.ConsumeIntegralInRange(0, 3) == 3) fuzz::damage(data, bytes);
   node.send({std::move(bytes)});
   const auto counts = node.counts();
@@ -99,7 +100,7 @@ void run(FuzzedDataProvider& data) {
 }  // namespace
 }  // namespace markservo::target_locator
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   FuzzedDataProvider data(bytes, size);
   markservo::target_locator::run(data);
   return 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "services/mark-detector/mark_detector.hpp"
@@ -42,9 +43,9 @@ Parameters take_parameters(FuzzedDataProvider& data) {
   if (!data.ConsumeBool()) return parameters;
   parameters.histogram_rows = data.ConsumeIntegralInRange(0, 200);
   parameters.chroma_min = data.ConsumeIntegralInRange(0, 255);
-  parameters.views.min_area = data.ConsumeIntegralInRange<int64_t>(0, 300);
+  parameters.views.min_area = data.ConsumeIntegralInRange<std::int64_t>(0, 300);
   parameters.views.hole_fraction = data.ConsumeFloatingPointInRange(0.0, 1.0);
-  parameters.views.noise_hole = data.ConsumeIntegralInRange<int64_t>(0, 40);
+  parameters.views.noise_hole = data.ConsumeIntegralInRange<std::int64_t>(0, 40);
   parameters.search.memory_frames = data.ConsumeIntegralInRange(0, 3);
   parameters.search.full_scan_every = data.ConsumeIntegralInRange(0, 4);
   parameters.search.coarse_rows = data.ConsumeIntegralInRange(0, 10);
@@ -54,7 +55,7 @@ Parameters take_parameters(FuzzedDataProvider& data) {
   parameters.views.selection.row_tolerance = data.ConsumeFloatingPointInRange(0.0, 200.0);
   parameters.patch.margin = data.ConsumeIntegralInRange(-1, 300);
   parameters.patch.limit = data.ConsumeIntegralInRange(0, 256);
-  parameters.patch.budget = data.ConsumeIntegralInRange<int64_t>(0, 300000);
+  parameters.patch.budget = data.ConsumeIntegralInRange<std::int64_t>(0, 300000);
   return parameters;
 }
 
@@ -122,7 +123,7 @@ void check_view(const View& view, const ImageView& image, const Parameters& para
 void check_output(const Output& output, const Input& input, std::size_t num_marks, const Parameters& parameters) {
   require(output.marks.size() == num_marks, "every mark is listed");
   const bool single = input.right.empty();
-  int64_t patch_bytes = 0;
+  std::int64_t patch_bytes = 0;
   for (const Finding& finding : output.marks) {
     check_view(finding.left, input.left, parameters);
     check_blobs(finding.left_blobs, input.left, parameters);
@@ -137,10 +138,10 @@ void check_output(const Output& output, const Input& input, std::size_t num_mark
     require(complete == finding.reason.empty(), "there is a reason exactly where a view is missing");
     require(finding.left.patch.scale == finding.right.patch.scale, "both patches have one scale");
     for (const View* view : {&finding.left, &finding.right}) {
-      patch_bytes += static_cast<int64_t>(view->patch.bgr.size() + view->patch.mask.size());
+      patch_bytes += static_cast<std::int64_t>(view->patch.bgr.size() + view->patch.mask.size());
     }
   }
-  require(patch_bytes <= std::max<int64_t>(0, parameters.patch.budget), "all patches keep the budget");
+  require(patch_bytes <= std::max<std::int64_t>(0, parameters.patch.budget), "all patches keep the budget");
 }
 
 void run(FuzzedDataProvider& data) {
@@ -181,7 +182,7 @@ void run(FuzzedDataProvider& data) {
 }  // namespace
 }  // namespace markservo::mark_detector
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   FuzzedDataProvider data(bytes, size);
   markservo::mark_detector::run(data);
   return 0;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <cstdint>
 
 #include "services/target-locator/mark_locator.hpp"
 #include "tests/fuzz/numbers.hpp"
@@ -70,7 +71,7 @@ void run(FuzzedDataProvider& data) {
 }  // namespace
 }  // namespace markservo::target_locator
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   FuzzedDataProvider data(bytes, size);
   markservo::target_locator::run(data);
   return 0;

@@ -17,7 +17,7 @@ namespace {
 using fuzz::require;
 
 template <class M>
-void receive(const uint8_t* bytes, std::size_t size) {
+void receive(const std::uint8_t* bytes, std::size_t size) {
   const Decoded<M> decoded = safe_decode<M>(bytes, size);
   require(decoded.ok == decoded.error.empty(), "what cannot be decoded has a reason");
   if (!decoded.ok) return;
@@ -29,7 +29,7 @@ void receive(const uint8_t* bytes, std::size_t size) {
   }
   if (!messages::broken_rule(decoded.message).empty()) return;
   require(decoded.message.getEncodedSize() == static_cast<int>(size), "a message is as long as its bytes");
-  std::vector<uint8_t> sent(size);
+  std::vector<std::uint8_t> sent(size);
   require(decoded.message.encode(sent.data(), 0, static_cast<int>(size)) == static_cast<int>(size),
           "what is accepted can be sent");
   const Decoded<M> again = safe_decode<M>(sent.data(), sent.size());
@@ -37,8 +37,8 @@ void receive(const uint8_t* bytes, std::size_t size) {
 }
 
 template <class... Types>
-void receive_any(std::size_t number, const uint8_t* bytes, std::size_t size, fuzz::Channels<Types...> /*types*/) {
-  using Receive = void (*)(const uint8_t*, std::size_t);
+void receive_any(std::size_t number, const std::uint8_t* bytes, std::size_t size, fuzz::Channels<Types...> /*types*/) {
+  using Receive = void (*)(const std::uint8_t*, std::size_t);
   constexpr Receive kReceivers[] = {receive<Types>...};
   kReceivers[number % sizeof...(Types)](bytes, size);
 }
@@ -46,7 +46,7 @@ void receive_any(std::size_t number, const uint8_t* bytes, std::size_t size, fuz
 }  // namespace
 }  // namespace markservo::bus
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   if (size > 0) markservo::bus::receive_any(bytes[0], bytes + 1, size - 1, markservo::fuzz::ChannelTypes{});
   return 0;
 }

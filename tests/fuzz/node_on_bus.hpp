@@ -18,13 +18,13 @@ namespace markservo::fuzz {
 
 // Any bytes, sent as they are.
 struct Datagram {
-  std::vector<uint8_t> bytes;
+  std::vector<std::uint8_t> bytes;
 };
 
 // A message's bytes; none if it cannot be sent.
 template <class M>
-std::vector<uint8_t> encoded(const M& message) {
-  std::vector<uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
+std::vector<std::uint8_t> encoded(const M& message) {
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
   if (message.encode(bytes.data(), 0, static_cast<int>(bytes.size())) < 0) return {};
   return bytes;
 }
@@ -34,8 +34,8 @@ class NodeOnBus {
  public:
   // What became of the messages on the channel that the node reads.
   struct Counts {
-    int64_t accepted = 0;  // by the bus
-    int64_t refused = 0;   // by the bus or by the node
+    std::int64_t accepted = 0;  // by the bus
+    std::int64_t refused = 0;   // by the bus or by the node
   };
 
   // `channel` is what the node reads.

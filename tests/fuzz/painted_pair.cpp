@@ -7,7 +7,7 @@
 namespace markservo::fuzz {
 namespace {
 
-using Colour = std::array<uint8_t, 3>;  // blue, green, red
+using Colour = std::array<std::uint8_t, 3>;  // blue, green, red
 
 enum class Pattern { kPlain, kCheckerboard, kSpeckles, kPrint, kNoise };
 
@@ -29,7 +29,8 @@ Colour take_colour(FuzzedDataProvider& data) {
   constexpr std::array<Colour, 7> kUsual = {
       {{40, 35, 190}, {50, 170, 40}, {190, 70, 30}, {30, 180, 200}, {0, 0, 0}, {255, 255, 255}, {120, 120, 120}}};
   if (data.ConsumeIntegralInRange(0, 3) < 3) return data.PickValueInArray(kUsual);
-  return {data.ConsumeIntegral<uint8_t>(), data.ConsumeIntegral<uint8_t>(), data.ConsumeIntegral<uint8_t>()};
+  return {data.ConsumeIntegral<std::uint8_t>(), data.ConsumeIntegral<std::uint8_t>(),
+          data.ConsumeIntegral<std::uint8_t>()};
 }
 
 Stroke take_stroke(FuzzedDataProvider& data, int width, int height) {
@@ -42,8 +43,8 @@ Stroke take_stroke(FuzzedDataProvider& data, int width, int height) {
   stroke.height = data.ConsumeIntegralInRange(1, height + 16);
   stroke.disparity = data.ConsumeIntegralInRange(-4, 64);
   stroke.period = data.ConsumeIntegralInRange(1, 16);
-  stroke.density = data.ConsumeIntegral<uint8_t>();
-  stroke.seed = data.ConsumeIntegral<uint8_t>();
+  stroke.density = data.ConsumeIntegral<std::uint8_t>();
+  stroke.seed = data.ConsumeIntegral<std::uint8_t>();
   return stroke;
 }
 
@@ -63,11 +64,11 @@ bool colour_at(const Stroke& stroke, int i, int j, std::minstd_rand& random, Col
     case Pattern::kPrint: {
       const int light = 128 + (drawn % 64) + 32 * ((i / 3 + 2 * (j / 3)) % 3);
       for (std::size_t c = 0; c < 3; ++c)
-        colour[c] = static_cast<uint8_t>(std::min(255, stroke.colour[c] * light / 192));
+        colour[c] = static_cast<std::uint8_t>(std::min(255, stroke.colour[c] * light / 192));
       return true;
     }
     case Pattern::kNoise:
-      for (auto& channel : colour) channel = static_cast<uint8_t>(random() & 255U);
+      for (auto& channel : colour) channel = static_cast<std::uint8_t>(random() & 255U);
       return drawn < stroke.density;
   }
   return false;
@@ -108,7 +109,8 @@ PaintedPair paint_pair(FuzzedDataProvider& data, int width, int height) {
     paint(stroke, stroke.disparity, pair.right);
   }
   if (data.ConsumeBool()) {
-    const std::vector<uint8_t> raw = data.ConsumeBytes<uint8_t>(data.ConsumeIntegralInRange<std::size_t>(0, 4096));
+    const std::vector<std::uint8_t> raw =
+        data.ConsumeBytes<std::uint8_t>(data.ConsumeIntegralInRange<std::size_t>(0, 4096));
     std::copy_n(raw.begin(), std::min(raw.size(), pair.left.bgr.size()), pair.left.bgr.begin());
   }
   return pair;

@@ -15,7 +15,7 @@ struct PaintedImage {
   int width = 0;              // px
   int height = 0;             // px
   std::ptrdiff_t stride = 0;  // bytes from row to row, at least 3 * width; the last row ends with its last pixel
-  std::vector<uint8_t> bgr;
+  std::vector<std::uint8_t> bgr;
 };
 
 struct PaintedPair {

@@ -41,7 +41,7 @@ Print take_print(FuzzedDataProvider& data) {
   print.cell = 3 + data.ConsumeIntegralInRange(0, 9);
   print.contrast = 60 - data.ConsumeIntegralInRange(0, 60);
   print.noise = data.ConsumeIntegralInRange(0, 40);
-  print.seed = data.ConsumeIntegral<uint8_t>();
+  print.seed = data.ConsumeIntegral<std::uint8_t>();
   return print;
 }
 
@@ -94,16 +94,18 @@ PrintedPatch draw(FuzzedDataProvider& data, const Print& print, bool right) {
       for (const int level : base) {
         const int off =
             print.noise == 0 ? 0 : static_cast<int>(noise() % (2U * static_cast<unsigned>(print.noise) + 1U));
-        patch.bgr[at++] = static_cast<uint8_t>(std::clamp(level + static_cast<int>(light) + off - print.noise, 0, 255));
+        patch.bgr[at++] =
+            static_cast<std::uint8_t>(std::clamp(level + static_cast<int>(light) + off - print.noise, 0, 255));
       }
       if (inside(i, j)) {
-        uint8_t& byte = patch.mask[static_cast<std::size_t>(j) * mask_stride + static_cast<std::size_t>(i) / 8];
-        byte = static_cast<uint8_t>(byte | (1U << (i % 8)));
+        std::uint8_t& byte = patch.mask[static_cast<std::size_t>(j) * mask_stride + static_cast<std::size_t>(i) / 8];
+        byte = static_cast<std::uint8_t>(byte | (1U << (i % 8)));
       }
     }
   }
-  const auto overwrite = [&data](std::vector<uint8_t>& bytes, std::size_t most) {
-    const std::vector<uint8_t> raw = data.ConsumeBytes<uint8_t>(data.ConsumeIntegralInRange<std::size_t>(0, most));
+  const auto overwrite = [&data](std::vector<std::uint8_t>& bytes, std::size_t most) {
+    const std::vector<std::uint8_t> raw =
+        data.ConsumeBytes<std::uint8_t>(data.ConsumeIntegralInRange<std::size_t>(0, most));
     std::copy_n(raw.begin(), std::min(raw.size(), bytes.size()), bytes.begin());
   };
   if (kind == MaskKind::kBytes) overwrite(patch.mask, 512);
@@ -118,7 +120,7 @@ double place(FuzzedDataProvider& data, bool whole_numbers, double usual) {
     case 6:
       return usual + data.ConsumeIntegralInRange(-20, 20);
     case 7:
-      return data.ConsumeIntegral<int32_t>();
+      return data.ConsumeIntegral<std::int32_t>();
     default:
       return usual;
   }

@@ -15,8 +15,8 @@ namespace markservo::fuzz {
 struct PrintedPatch {
   int width = 0;   // patch pixels
   int height = 0;  // patch pixels
-  std::vector<uint8_t> bgr;
-  std::vector<uint8_t> mask;  // a bit a pixel, rows padded to bytes, lowest bit first
+  std::vector<std::uint8_t> bgr;
+  std::vector<std::uint8_t> mask;  // a bit a pixel, rows padded to bytes, lowest bit first
 };
 
 struct PrintedMark {

@@ -111,7 +111,8 @@ void LightScene::expose_view(const cv::Mat& view, const cv::Rect& window, const 
   cv::Mat table(1, 256, CV_16SC3);
   for (int level = 0; level < 256; ++level) {
     for (int c = 0; c < 3; ++c) {
-      table.at<cv::Vec3s>(level)[c] = static_cast<int16_t>(std::lround(gains[static_cast<std::size_t>(c)] * level));
+      table.at<cv::Vec3s>(level)[c] =
+          static_cast<std::int16_t>(std::lround(gains[static_cast<std::size_t>(c)] * level));
     }
   }
   const cv::Mat noise =
@@ -124,7 +125,7 @@ void LightScene::expose_view(const cv::Mat& view, const cv::Rect& window, const 
     const auto* levels = table.ptr<cv::Vec3s>();
     for (int u = 0; u < window.width; ++u) {
       for (int c = 0; c < 3; ++c) {
-        to[u][c] = static_cast<uint8_t>(std::clamp(levels[from[u][c]][c] + grain[u][c], 0, 255));
+        to[u][c] = static_cast<std::uint8_t>(std::clamp(levels[from[u][c]][c] + grain[u][c], 0, 255));
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <markservo/StereoMatches.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
@@ -48,7 +49,7 @@ TEST(RealPhotographs, LeavesAreMatchedWithinAPixelOfTheTruth) {
       for (std::size_t i = 0; i < mark.u_left.size(); ++i) {
         const int column = static_cast<int>(std::lround(mark.u_left[i]));
         const int row = static_cast<int>(std::lround(mark.v_left[i]));
-        const int disparity = truth.at<uint8_t>(row, column);
+        const int disparity = truth.at<std::uint8_t>(row, column);
         if (disparity == 0) continue;  // the truth is not known there
         ++known;
         right_ones += std::abs(mark.u_left[i] - mark.u_right[i] - disparity) <= 1.0 ? 1 : 0;

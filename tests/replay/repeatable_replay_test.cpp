@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <lcm/lcm-cpp.hpp>
@@ -24,7 +25,7 @@ const std::string kRobotFile = MARKSERVO_SOURCE_DIR "/config/robot.yaml";
 constexpr int kFrames = 6;
 
 // Frames of the simulated robot, as an LCM recording, with what was true.
-std::map<int64_t, SimTruth> record_frames(const TemporaryFolder& folder, const std::string& log_name) {
+std::map<std::int64_t, SimTruth> record_frames(const TemporaryFolder& folder, const std::string& log_name) {
   experiments::ExperimentOptions options;
   options.out = folder.path("");
   options.robot_file = kRobotFile;
@@ -39,7 +40,7 @@ std::map<int64_t, SimTruth> record_frames(const TemporaryFolder& folder, const s
   rig.bus().on_each(channels::kStereoFrame, [&](const StereoFrame& message) { frame = message; });
   rig.wait_for_world();
   rig.reset(3, {});
-  std::map<int64_t, SimTruth> truths;
+  std::map<std::int64_t, SimTruth> truths;
   for (int i = 0; i < kFrames; ++i) {
     rig.step([&] { return frame.seq == rig.truth().frame_seq; });
     while (frame.seq != rig.truth().frame_seq) rig.bus().poll(std::chrono::milliseconds(20));

@@ -10,7 +10,7 @@
 
 namespace markservo::test {
 
-class VectorTargetTest : public testing::TestWithParam<int64_t> {
+class VectorTargetTest : public testing::TestWithParam<std::int64_t> {
  protected:
   VectorTargetTest() { hwy::SetSupportedTargetsForTest(GetParam()); }
   ~VectorTargetTest() override { hwy::SetSupportedTargetsForTest(0); }
@@ -20,7 +20,7 @@ inline auto every_vector_target() {
   return testing::ValuesIn(hwy::SupportedAndGeneratedTargets());
 }
 
-inline std::string vector_target_name(const testing::TestParamInfo<int64_t>& target) {
+inline std::string vector_target_name(const testing::TestParamInfo<std::int64_t>& target) {
   return hwy::TargetName(target.param);
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <lcm/lcm-cpp.hpp>
 #include <markservo/JointState.hpp>
@@ -28,12 +29,12 @@ struct Options {
 
 template <class M>
 void send(lcm::LCM* lcm, const std::string& channel, const M& message) {
-  std::vector<uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
   message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
   lcm->publish(channel, bytes.data(), static_cast<unsigned int>(bytes.size()));
 }
 
-void send_status(lcm::LCM* lcm, int robot, int service, int64_t round) {
+void send_status(lcm::LCM* lcm, int robot, int service, std::int64_t round) {
   markservo::ServiceStatus status{};
   status.utime = markservo::wall_clock_us();
   status.session = 1 + 1000 * robot + service;
@@ -50,11 +51,11 @@ void send_status(lcm::LCM* lcm, int robot, int service, int64_t round) {
     channel.received = round;
     status.channels.push_back(channel);
   }
-  status.num_channels = static_cast<int32_t>(status.channels.size());
+  status.num_channels = static_cast<std::int32_t>(status.channels.size());
   send(lcm, "r" + std::to_string(robot) + "/SERVICE_STATUS", status);
 }
 
-void send_round(lcm::LCM* lcm, const Options& options, int64_t round) {
+void send_round(lcm::LCM* lcm, const Options& options, std::int64_t round) {
   int sent = 0;
   // In small groups: a real crowd does not speak all at once.
   const auto pause = [&sent] {
@@ -85,7 +86,7 @@ int main(int argc, char** argv) {
   std::signal(SIGTERM, [](int) { signalled = 1; });
   lcm::LCM lcm(options.url);
   if (!lcm.good()) return 3;
-  for (int64_t round = 1; signalled == 0; ++round) {
+  for (std::int64_t round = 1; signalled == 0; ++round) {
     send_round(&lcm, options, round);
     if (round == 1) std::puts("crowded");
     std::fflush(stdout);

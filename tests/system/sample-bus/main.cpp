@@ -11,6 +11,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <lcm/lcm-cpp.hpp>
 #include <markservo/JointState.hpp>
@@ -40,7 +41,7 @@ volatile std::sig_atomic_t signalled = 0;
 
 struct Options {
   std::string url = markservo::bus::kDefaultUrl;
-  int64_t goal_id = 4711;
+  std::int64_t goal_id = 4711;
   double speed = 0.375;           // m/s
   double x = 0.125;               // m
   std::vector<std::string> only;  // channels; empty: all
@@ -73,7 +74,7 @@ class SampleBus {
         frames_(&outlet_, channels::kStereoFrame.name, 106) {}
 
   // All channels once, `round` counting from 0.
-  void publish(int round, int64_t utime) {
+  void publish(int round, std::int64_t utime) {
     publish_goal(utime);
     if (round % 10 == 9) {
       poses_.skip();
@@ -96,7 +97,7 @@ class SampleBus {
   }
 
  private:
-  void publish_goal(int64_t utime) {
+  void publish_goal(std::int64_t utime) {
     markservo::ServoGoal goal{};
     goal.utime = utime;
     goal.goal_id = options_.goal_id;
@@ -107,7 +108,7 @@ class SampleBus {
     goals_.publish(goal);
   }
 
-  void publish_pose(int64_t utime) {
+  void publish_pose(std::int64_t utime) {
     markservo::LocatedMark mark{};
     mark.name = "red_book";
     mark.p_C.x = options_.x;
@@ -122,7 +123,7 @@ class SampleBus {
     poses_.publish(pose);
   }
 
-  void publish_frame(int64_t utime) {
+  void publish_frame(std::int64_t utime) {
     markservo::StereoFrame frame{};
     frame.utime = utime;
     frame.width = 8;
@@ -132,17 +133,17 @@ class SampleBus {
     frame.calibration.baseline = 0.1;
     frame.left.assign(std::size_t{8} * 4 * 3, 0);
     frame.right = frame.left;
-    frame.left_size = frame.right_size = static_cast<int32_t>(frame.left.size());
+    frame.left_size = frame.right_size = static_cast<std::int32_t>(frame.left.size());
     frames_.publish(frame);
   }
 
-  void publish_broken(int64_t utime) {
+  void publish_broken(std::int64_t utime) {
     markservo::JointState joints{};
     joints.utime = utime;
-    std::vector<uint8_t> bytes(static_cast<std::size_t>(joints.getEncodedSize()));
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(joints.getEncodedSize()));
     joints.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
     outlet_.send(channels::kJointState.name, bytes.data(), bytes.size() - 1);
-    std::array<uint8_t, 24> foreign{};
+    std::array<std::uint8_t, 24> foreign{};
     foreign.fill(0x5a);
     outlet_.send("FOREIGN", foreign.data(), foreign.size());
   }

@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < static_cast<int>(5.0 * seconds); ++i) {
     status.utime = markservo::wall_clock_us();
     ++status.seq;
-    std::vector<uint8_t> bytes(static_cast<std::size_t>(status.getEncodedSize()));
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.getEncodedSize()));
     status.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
     lcm.publish(channel, bytes.data(), static_cast<unsigned int>(bytes.size()));
     std::this_thread::sleep_for(std::chrono::milliseconds(200));

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 namespace markservo::bus_census {
 namespace {
 
@@ -12,7 +14,7 @@ using census::Report;
 using census::ServiceReport;
 
 constexpr int kPid = 41;
-constexpr int64_t kSession = 7;
+constexpr std::int64_t kSession = 7;
 
 // A bus on which `service` speaks and writes `channel`.
 Report bus_with(const std::string& service, const std::string& channel, const std::string& robot = "") {

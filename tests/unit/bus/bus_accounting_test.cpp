@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <markservo/StopRequest.hpp>
 #include <markservo/StopState.hpp>
@@ -21,12 +22,14 @@ class BusAccounting : public BusTest {
   }
 
   // As another writer's: a publisher fills in the bus's own session.
-  void deliver(JointState state, int64_t session, int64_t seq) {
+  void deliver(JointState state, std::int64_t session, std::int64_t seq) {
     state.session = session;
     state.seq = seq;
     deliver_bytes(test::encoded(state));
   }
-  void deliver_bytes(const std::vector<uint8_t>& bytes) { bus_.publish_raw("JOINT_STATE", bytes.data(), bytes.size()); }
+  void deliver_bytes(const std::vector<std::uint8_t>& bytes) {
+    bus_.publish_raw("JOINT_STATE", bytes.data(), bytes.size());
+  }
   ChannelStatus counted() {
     settle(bus_);
     return only_channel(bus_);
@@ -37,13 +40,13 @@ class BusAccounting : public BusTest {
 };
 
 TEST_F(BusAccounting, GapsInSeqAreLost) {
-  for (const int64_t seq : {1, 2, 5, 6, 10, 11}) deliver(joint_state(seq), 7, seq);
+  for (const std::int64_t seq : {1, 2, 5, 6, 10, 11}) deliver(joint_state(seq), 7, seq);
   EXPECT_EQ(counted().lost, 5);
   EXPECT_EQ(handled_, 6);
 }
 
 TEST_F(BusAccounting, OneThatComesLateOrTwiceIsNoLoss) {
-  for (const int64_t seq : {10, 9, 11, 9, 12}) deliver(joint_state(seq), 7, seq);
+  for (const std::int64_t seq : {10, 9, 11, 9, 12}) deliver(joint_state(seq), 7, seq);
   EXPECT_EQ(counted().lost, 0);
 }
 
@@ -64,11 +67,11 @@ TEST_F(BusAccounting, TwoWritersAtOnceAreNamed) {
 TEST_F(BusAccounting, ManyMayWriteWhereTheTableSaysSo) {
   Bus bus(parameters());
   bus.on_each(channels::Channel<JointState>(channels::kStop), [](const JointState&) {});
-  for (const int64_t session : {7, 8, 7, 8}) {
+  for (const std::int64_t session : {7, 8, 7, 8}) {
     JointState state = joint_state(1);
     state.session = session;
     state.seq = 3 * session;
-    const std::vector<uint8_t> bytes = test::encoded(state);
+    const std::vector<std::uint8_t> bytes = test::encoded(state);
     bus.publish_raw("STOP", bytes.data(), bytes.size());
   }
   settle(bus);
@@ -86,7 +89,7 @@ TEST_F(BusAccounting, AnotherTypeOnTheChannelIsADecodeFailure) {
 
 TEST_F(BusAccounting, NoBytesAndHalfAMessageAreDecodeFailures) {
   JointState state = joint_state(1);
-  std::vector<uint8_t> bytes = test::encoded(state);
+  std::vector<std::uint8_t> bytes = test::encoded(state);
   bytes.resize(bytes.size() / 2);
   deliver_bytes(bytes);
   deliver_bytes({});
@@ -104,13 +107,14 @@ TEST_F(BusAccounting, NotANumberIsRefused) {
 }
 
 TEST_F(BusAccounting, ImpossibleTimesSessionsAndNumbersAreRefused) {
-  constexpr int64_t kLeast = std::numeric_limits<int64_t>::min();
-  constexpr int64_t kMost = std::numeric_limits<int64_t>::max();
+  constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
   deliver(joint_state(1), 7, 1);
-  int64_t refused = 0;
-  for (const int64_t utime : {int64_t{-1}, kLeast, kMost}) deliver(joint_state(utime), 7, ++refused + 1);
-  for (const int64_t session : {int64_t{0}, int64_t{-7}, kLeast}) deliver(joint_state(1), session, ++refused + 1);
-  for (const int64_t seq : {int64_t{-1}, kLeast, kMost}) {
+  std::int64_t refused = 0;
+  for (const std::int64_t utime : {std::int64_t{-1}, kLeast, kMost}) deliver(joint_state(utime), 7, ++refused + 1);
+  for (const std::int64_t session : {std::int64_t{0}, std::int64_t{-7}, kLeast})
+    deliver(joint_state(1), session, ++refused + 1);
+  for (const std::int64_t seq : {std::int64_t{-1}, kLeast, kMost}) {
     deliver(joint_state(1), 7, seq);
     ++refused;
   }
@@ -176,7 +180,7 @@ TEST_F(BusAccounting, ChannelNeverHeardHasNoAge) {
 
 TEST_F(BusAccounting, WriterThatRestartsEarlierBeginsANewTimeLine) {
   deliver(joint_state(50'000'000), 7, 1);
-  for (const int64_t seq : {1, 2, 3}) deliver(joint_state(1'000'000 + seq), 8, seq);
+  for (const std::int64_t seq : {1, 2, 3}) deliver(joint_state(1'000'000 + seq), 8, seq);
   settle(bus_);
   EXPECT_EQ(bus_.newest_utime(), 1'000'003);
 }
@@ -184,7 +188,7 @@ TEST_F(BusAccounting, WriterThatRestartsEarlierBeginsANewTimeLine) {
 // A number or a time that lies spoils no figure for longer than it takes the next message to come.
 TEST_F(BusAccounting, FiguresRecoverFromOneHostileMessage) {
   deliver(joint_state(50'000'000), 7, 10);
-  deliver(joint_state(1), 7, int64_t{1} << 53);
+  deliver(joint_state(1), 7, std::int64_t{1} << 53);
   deliver(joint_state(50'010'000), 7, 11);
   EXPECT_EQ(counted().lost, 0);
   EXPECT_DOUBLE_EQ(counted().age, 0.0);

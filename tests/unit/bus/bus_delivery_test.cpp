@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstdint>
 #include <markservo/StopState.hpp>
 
 #include "tests/unit/bus/bus_fixture.hpp"
@@ -10,30 +11,30 @@ using BusDelivery = BusTest;
 
 TEST_F(BusDelivery, LatestHandsOverOnlyTheNewestAndCountsTheRest) {
   Bus bus(parameters());
-  std::vector<int64_t> seen;
+  std::vector<std::int64_t> seen;
   bus.on_latest(channels::kJointState, [&](const JointState& state) { seen.push_back(state.utime); });
   auto publisher = bus.advertise(channels::kJointState);
-  for (int64_t utime = 1; utime <= 5; ++utime) {
+  for (std::int64_t utime = 1; utime <= 5; ++utime) {
     auto state = joint_state(utime);
     publisher.publish(state);
   }
   settle(bus);
-  EXPECT_EQ(seen, std::vector<int64_t>{5});
+  EXPECT_EQ(seen, std::vector<std::int64_t>{5});
   EXPECT_EQ(only_channel(bus).received, 5);
   EXPECT_EQ(only_channel(bus).skipped, 4);
 }
 
 TEST_F(BusDelivery, EachHandsOverAllInOrder) {
   Bus bus(parameters());
-  std::vector<int64_t> seen;
+  std::vector<std::int64_t> seen;
   bus.on_each(channels::kJointState, [&](const JointState& state) { seen.push_back(state.utime); });
   auto publisher = bus.advertise(channels::kJointState);
-  for (int64_t utime = 1; utime <= 5; ++utime) {
+  for (std::int64_t utime = 1; utime <= 5; ++utime) {
     auto state = joint_state(utime);
     publisher.publish(state);
   }
   settle(bus);
-  EXPECT_EQ(seen, (std::vector<int64_t>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(seen, (std::vector<std::int64_t>{1, 2, 3, 4, 5}));
   EXPECT_EQ(only_channel(bus).skipped, 0);
 }
 
@@ -45,7 +46,7 @@ TEST_F(BusDelivery, NoMessageCarriesAnythingOfTheOneBefore) {
   const std::vector<std::vector<double>> sent{{1.0, 2.0, 3.0}, {}, {4.0}, {5.0, 6.0}};
   for (const std::vector<double>& position : sent) {
     auto state = joint_state(1);
-    state.num_joints = static_cast<int32_t>(position.size());
+    state.num_joints = static_cast<std::int32_t>(position.size());
     state.position = position;
     state.speed.assign(position.size(), 0.0);
     publisher.publish(state);
@@ -115,7 +116,7 @@ TEST_F(BusDelivery, NowIsTheNewestUtimeOfAnyChannel) {
   Bus bus(parameters());
   bus.on_each(channels::kJointState, [](const JointState&) {});
   auto publisher = bus.advertise(channels::kJointState);
-  for (const int64_t utime : {3000, 9000, 6000}) {
+  for (const std::int64_t utime : {3000, 9000, 6000}) {
     auto state = joint_state(utime);
     publisher.publish(state);
   }

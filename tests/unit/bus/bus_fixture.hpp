@@ -22,7 +22,7 @@ class BusTest : public ::testing::Test {
     return result;
   }
 
-  static JointState joint_state(int64_t utime) {
+  static JointState joint_state(std::int64_t utime) {
     JointState state{};
     state.utime = utime;
     return state;

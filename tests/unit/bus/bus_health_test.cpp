@@ -1,6 +1,7 @@
 // What SERVICE_STATUS says of a service that does not hear what it needs.
 
 #include <chrono>
+#include <cstdint>
 #include <markservo/StopState.hpp>
 #include <stdexcept>
 #include <thread>
@@ -22,18 +23,18 @@ class BusHealth : public BusTest {
     bus_.set_state("ready");
   }
 
-  void deliver(int64_t utime) {
+  void deliver(std::int64_t utime) {
     JointState state = joint_state(utime);
     state.session = 7;
     state.seq = ++seq_;
-    const std::vector<uint8_t> bytes = test::encoded(state);
+    const std::vector<std::uint8_t> bytes = test::encoded(state);
     bus_.publish_raw("JOINT_STATE", bytes.data(), bytes.size());
     settle(bus_);
   }
   static void let_it_grow_old() { std::this_thread::sleep_for(std::chrono::duration<double>(1.5 * kSoon)); }
 
   Bus bus_;
-  int64_t seq_ = 0;
+  std::int64_t seq_ = 0;
 };
 
 TEST_F(BusHealth, WaitsUntilItHearsWhatItNeeds) {

@@ -1,6 +1,7 @@
 // Texts on the bus: refused on receipt, made fit where they are composed; STOP and ABORT are obeyed whatever they say.
 
 #include <chrono>
+#include <cstdint>
 #include <markservo/StopRequest.hpp>
 #include <markservo/TaskCommand.hpp>
 #include <markservo/TaskState.hpp>
@@ -16,7 +17,7 @@ using BusTexts = BusTest;
 
 template <class M>
 void deliver(Bus& bus, const std::string& channel, const M& message) {
-  const std::vector<uint8_t> bytes = test::encoded(message);
+  const std::vector<std::uint8_t> bytes = test::encoded(message);
   bus.publish_raw(channel, bytes.data(), bytes.size());
   settle(bus);
 }
@@ -57,7 +58,7 @@ TEST_F(BusTexts, StopIsObeyedWhateverItSays) {
   StopRequest stop{};
   stop.session = 7;
   stop.reason = std::string(8 << 20, '\x1b');
-  for (const int64_t utime : {int64_t{0}, int64_t{-1}, wall_clock_us() + 3'600'000'000}) {
+  for (const std::int64_t utime : {std::int64_t{0}, std::int64_t{-1}, wall_clock_us() + 3'600'000'000}) {
     stop.utime = utime;
     deliver(bus, "STOP", stop);
   }

@@ -1,3 +1,5 @@
+#include <cstdint>
+
 #include "common/bus/repeat_timer.hpp"
 #include "tests/unit/bus/bus_fixture.hpp"
 
@@ -7,7 +9,7 @@ namespace {
 TEST(RepeatTimer, IsDueFiveTimesASecondOfMessageTime) {
   RepeatTimer timer(kStateRepeat_us);
   int sent = 0;
-  for (int64_t utime = 0; utime < 1'000'000; utime += 10'000) sent += timer.due(utime) ? 1 : 0;
+  for (std::int64_t utime = 0; utime < 1'000'000; utime += 10'000) sent += timer.due(utime) ? 1 : 0;
   EXPECT_EQ(sent, 5);
 }
 
@@ -27,7 +29,7 @@ TEST_F(BusTest, LatecomerLearnsARepeatedGoal) {
   settle(bus);
   int heard = 0;
   bus.on_each(made_up<JointState>("GOAL"), [&](const JointState&) { ++heard; });
-  for (int64_t utime = 0; utime <= 400'000; utime += 50'000) {
+  for (std::int64_t utime = 0; utime <= 400'000; utime += 50'000) {
     if (timer.due(utime)) goals.publish(goal);
   }
   settle(bus);

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <lcm/lcm-cpp.hpp>
@@ -16,7 +17,7 @@ class Replay : public BusTest {
   Replay() : folder_(std::filesystem::temp_directory_path() / ("markservo-replay-" + std::to_string(getpid()))) {
     std::filesystem::create_directories(folder_);
     lcm::LCM log("file://" + path("in.lcm") + "?mode=w");
-    for (int64_t utime = 1; utime <= 50; ++utime) {
+    for (std::int64_t utime = 1; utime <= 50; ++utime) {
       auto state = joint_state(utime);
       state.session = 7;
       state.seq = utime;

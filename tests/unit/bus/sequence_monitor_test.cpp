@@ -2,15 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 
 namespace markservo::bus {
 namespace {
 
-int64_t lost(std::initializer_list<int64_t> numbers) {
+std::int64_t lost(std::initializer_list<std::int64_t> numbers) {
   SequenceMonitor monitor;
-  for (const int64_t seq : numbers) monitor.observe(7, seq);
+  for (const std::int64_t seq : numbers) monitor.observe(7, seq);
   return monitor.lost();
 }
 
@@ -42,13 +43,13 @@ TEST(SequenceMonitor, IsNotSpoiltByANumberThatLies) {
 TEST(SequenceMonitor, CountsSoMuchForTwoNumbersThatLieAndGoesOn) {
   EXPECT_EQ(lost({1, 2, kMaxLost - 1, kMaxLost}), 10'000);
   EXPECT_EQ(lost({1, 2, kMaxLost - 1, kMaxLost, 3, 4, 6, 7}), 10'001);
-  EXPECT_EQ(lost({1, std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::min(), 2, 3}), 0);
+  EXPECT_EQ(lost({1, std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min(), 2, 3}), 0);
 }
 
 TEST(SequenceMonitor, AddsUpWhatWasLostInEachSession) {
   SequenceMonitor monitor;
-  for (const int64_t session : {7, 8}) {
-    for (const int64_t seq : {1, 3, 4}) monitor.observe(session, seq);
+  for (const std::int64_t session : {7, 8}) {
+    for (const std::int64_t seq : {1, 3, 4}) monitor.observe(session, seq);
   }
   EXPECT_EQ(monitor.lost(), 2);
 }

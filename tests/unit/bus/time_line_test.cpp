@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 namespace markservo::bus {
 namespace {
 
-constexpr int64_t kNow = 1'700'000'000'000'000;
-constexpr int64_t kHour = 3'600'000'000;
+constexpr std::int64_t kNow = 1'700'000'000'000'000;
+constexpr std::int64_t kHour = 3'600'000'000;
 
 TEST(TimeLine, FollowsTheNewest) {
   TimeLine line;
@@ -18,7 +20,7 @@ TEST(TimeLine, FollowsTheNewest) {
 }
 
 TEST(TimeLine, DoesNotBelieveOneThatLies) {
-  for (const int64_t lie : {int64_t{1}, kNow - kHour, kNow + kHour, int64_t{1} << 53}) {
+  for (const std::int64_t lie : {std::int64_t{1}, kNow - kHour, kNow + kHour, std::int64_t{1} << 53}) {
     TimeLine line;
     line.observe(kNow);
     EXPECT_FALSE(line.observe(lie));
@@ -31,7 +33,7 @@ TEST(TimeLine, DoesNotBelieveOneThatLies) {
 TEST(TimeLine, DoesNotBelieveALiarBetweenOthers) {
   TimeLine line;
   line.observe(kNow);
-  for (int64_t i = 1; i <= 100; ++i) {
+  for (std::int64_t i = 1; i <= 100; ++i) {
     EXPECT_FALSE(line.observe(kNow + kHour + i));
     EXPECT_TRUE(line.observe(kNow + 10'000 * i));
   }
@@ -39,7 +41,7 @@ TEST(TimeLine, DoesNotBelieveALiarBetweenOthers) {
 }
 
 TEST(TimeLine, BelievesThreeInARowAfterASilenceOrARestart) {
-  for (const int64_t jump : {kHour, -kHour}) {
+  for (const std::int64_t jump : {kHour, -kHour}) {
     TimeLine line;
     line.observe(kNow);
     EXPECT_FALSE(line.observe(kNow + jump));
@@ -52,7 +54,7 @@ TEST(TimeLine, BelievesThreeInARowAfterASilenceOrARestart) {
 TEST(TimeLine, DoesNotBelieveThreeThatDisagree) {
   TimeLine line;
   line.observe(kNow);
-  for (int64_t i = 1; i <= 10; ++i) EXPECT_FALSE(line.observe(kNow + i * kHour));
+  for (std::int64_t i = 1; i <= 10; ++i) EXPECT_FALSE(line.observe(kNow + i * kHour));
   EXPECT_EQ(line.newest(), kNow);
 }
 

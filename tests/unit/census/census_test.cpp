@@ -2,15 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 #include "common/census/census_text.hpp"
 
 namespace markservo::census {
 namespace {
 
-constexpr int64_t kBegin_us = 1'700'000'000'000'000;
-constexpr int64_t kSecond_us = 1'000'000;
+constexpr std::int64_t kBegin_us = 1'700'000'000'000'000;
+constexpr std::int64_t kSecond_us = 1'000'000;
 
-Heard message(const std::string& channel, int64_t at_us, int64_t session, int64_t seq) {
+Heard message(const std::string& channel, std::int64_t at_us, std::int64_t session, std::int64_t seq) {
   Heard heard;
   heard.channel = channel;
   heard.hash = 7;
@@ -22,7 +24,7 @@ Heard message(const std::string& channel, int64_t at_us, int64_t session, int64_
   return heard;
 }
 
-ServiceWord word(const std::string& name, int pid, int64_t session, int64_t at_us) {
+ServiceWord word(const std::string& name, int pid, std::int64_t session, std::int64_t at_us) {
   ServiceWord word;
   word.name = name;
   word.host = "here";
@@ -34,7 +36,7 @@ ServiceWord word(const std::string& name, int pid, int64_t session, int64_t at_u
 }
 
 // `events` messages at 10 Hz.
-void hear_stream(Census& census, const std::string& channel, int events, int64_t session) {
+void hear_stream(Census& census, const std::string& channel, int events, std::int64_t session) {
   for (int i = 0; i < events; ++i) census.hear(message(channel, i * 100'000, session, i + 1));
 }
 
@@ -64,7 +66,7 @@ TEST(Census, TakesTheWholeSpanForTheRateOfAFewMessages) {
 TEST(Census, CountsGapsInTheNumbersAsLost) {
   Census census(kBegin_us);
   census.hear(message("POSE", 0, 5, 1));
-  for (const int64_t seq : {4, 5}) census.hear(message("POSE", seq, 5, seq));
+  for (const std::int64_t seq : {4, 5}) census.hear(message("POSE", seq, 5, seq));
   EXPECT_EQ(channel_of(census, "POSE").lost, 2);
 }
 
@@ -81,7 +83,7 @@ TEST(Census, KnowsARestartedWriterFromASecondOne) {
 TEST(Census, AllowsManyWritersWhereManyMayWrite) {
   for (const char* channel : {"STOP", "r1/STOP_STATE", "SERVICE_STATUS"}) {
     Census census(kBegin_us);
-    for (const int64_t session : {5, 6, 5}) census.hear(message(channel, 0, session, 1));
+    for (const std::int64_t session : {5, 6, 5}) census.hear(message(channel, 0, session, 1));
     EXPECT_FALSE(channel_of(census, channel).two_writers) << channel;
   }
 }
@@ -118,7 +120,7 @@ TEST(Census, NamesWhoWritesAnotherVersionOfAType) {
 
 TEST(Census, ForgetsOtherVersionsWhereThereAreTooMany) {
   Census census(kBegin_us);
-  for (int64_t session = 1; session < 1000; ++session) {
+  for (std::int64_t session = 1; session < 1000; ++session) {
     Heard other;
     other.channel = "POSE";
     other.other_version = OtherVersion{"Kind", 7, session};
@@ -150,7 +152,7 @@ TEST(Census, NamesTheServiceThatWritesAChannel) {
 
 TEST(Census, NamesTwoProcessesThatSpeakInTurn) {
   Census census(kBegin_us);
-  for (const int64_t at : {0, 1}) {
+  for (const std::int64_t at : {0, 1}) {
     census.hear(word("locator", 10, 5, at), kBegin_us + at);
     census.hear(word("locator", 11, 6, at), kBegin_us + at);
   }
@@ -186,7 +188,7 @@ TEST(Census, BelievesTheProcessThatIsKnownOfTwoThatClaimOneSession) {
     Census census(kBegin_us);
     census.know({"here", {{"locator", 10}}});
     if (known_speaks_first) census.hear(word("locator", 10, 5, 0), kBegin_us);
-    for (const int64_t at : {1, 2, 3}) census.hear(word("liar", 99, 5, at), kBegin_us + at);
+    for (const std::int64_t at : {1, 2, 3}) census.hear(word("liar", 99, 5, at), kBegin_us + at);
     if (!known_speaks_first) census.hear(word("locator", 10, 5, 4), kBegin_us + 4);
     hear_stream(census, "POSE", 3, 5);
     const Report report = census.report(kBegin_us + kSecond_us);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <markservo/TaskState.hpp>
 
 namespace markservo::experiments {
@@ -19,7 +20,7 @@ SimBody standing_at(double x) {
   return body;
 }
 
-SimTruth truth_at(int64_t utime, bool held) {
+SimTruth truth_at(std::int64_t utime, bool held) {
   SimBody body = standing_at(0.0);
   body.height_gain = held ? 0.03 : 0.0;
   body.touches_left_finger = body.touches_right_finger = held ? 1 : 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <markservo/TaskState.hpp>
 
 #include "tests/unit/bus/memq_bus.hpp"
@@ -20,7 +21,7 @@ Pose2 pose(double x, double y, double heading) {
 class Drive : public ::testing::Test {
  protected:
   // One WHEEL_ODOMETRY later the base is truly at y, and ROBOT_POSE says that it is `off` beside.
-  void odometry(double y, double off = 0.01, int8_t state = RobotPose::LOCALISED) {
+  void odometry(double y, double off = 0.01, std::int8_t state = RobotPose::LOCALISED) {
     utime_ += 20'000;
     truth_.utime = utime_;
     ++truth_.odometry_seq;
@@ -47,7 +48,7 @@ class Drive : public ::testing::Test {
   bus::Publisher<RobotPose> poses_ = bus_.advertise(channels::kRobotPose);
   DriveWatch watch_{bus_};
   SimBaseTruth truth_{};
-  int64_t utime_ = 1'000'000;
+  std::int64_t utime_ = 1'000'000;
   const Pose2 goal_ = pose(0.2, 1.05, 1.55);
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "tests/unit/imaging/random_mask.hpp"
 
@@ -70,7 +71,7 @@ TEST(BitMask, GrowsAndShrinksByASquare) {
                 << width << " " << reach << " " << u << " " << v;
           }
         }
-        EXPECT_LE(grown.count(), int64_t{width} * height) << "bits beyond the width";
+        EXPECT_LE(grown.count(), std::int64_t{width} * height) << "bits beyond the width";
       }
     }
   }
@@ -92,7 +93,7 @@ TEST(BitMask, TurnsRowsIntoColumns) {
 
 TEST(BitMask, ComplementIsAllElse) {
   BitMask mask = random_mask(70, 5, 0.3, 3);
-  const int64_t before = mask.count();
+  const std::int64_t before = mask.count();
   complement(mask);
   EXPECT_EQ(mask.count(), 350 - before);
 }

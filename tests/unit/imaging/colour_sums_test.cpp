@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -21,8 +22,8 @@ TEST_P(VectorTarget, SumsTheColoursOfTheChosenPixels) {
     for (const int row_step : {1, 2, 3}) {
       constexpr int kHeight = 7;
       const std::ptrdiff_t stride = 3 * width + 5;
-      std::vector<uint8_t> image(static_cast<std::size_t>(stride * kHeight));
-      for (uint8_t& value : image) value = static_cast<uint8_t>(level(random));
+      std::vector<std::uint8_t> image(static_cast<std::size_t>(stride * kHeight));
+      for (std::uint8_t& value : image) value = static_cast<std::uint8_t>(level(random));
       BitMask chosen(width, kHeight);
       ColourSums expected;
       for (int v = 0; v < kHeight; ++v) {
@@ -30,7 +31,7 @@ TEST_P(VectorTarget, SumsTheColoursOfTheChosenPixels) {
           if (v == 4 || level(random) < 100) continue;
           chosen.set(u, v, true);
           if (v % row_step != 0) continue;
-          const uint8_t* p = &image[static_cast<std::size_t>(v * stride + 3 * u)];
+          const std::uint8_t* p = &image[static_cast<std::size_t>(v * stride + 3 * u)];
           ++expected.count;
           for (std::size_t c = 0; c < 3; ++c) expected.first[c] += p[c];
           const int products[] = {p[0] * p[0], p[0] * p[1], p[0] * p[2], p[1] * p[1], p[1] * p[2], p[2] * p[2]};
@@ -48,17 +49,17 @@ TEST_P(VectorTarget, SumsTheColoursOfTheChosenPixels) {
 
 TEST_P(VectorTarget, HoldsTheSumsOfALargeWhiteImage) {
   constexpr int kSide = 3000;
-  const std::vector<uint8_t> white(std::size_t{3} * kSide * kSide, 255);
+  const std::vector<std::uint8_t> white(std::size_t{3} * kSide * kSide, 255);
   BitMask all(kSide, kSide);
   for (int v = 0; v < kSide; ++v) all.set_run(v, 0, kSide);
   ColourSums sums;
   add_colours(white.data(), std::ptrdiff_t{3} * kSide, all, 1, sums);
-  EXPECT_EQ(sums.count, int64_t{kSide} * kSide);
-  EXPECT_EQ(sums.second[5], int64_t{255} * 255 * kSide * kSide);
+  EXPECT_EQ(sums.count, std::int64_t{kSide} * kSide);
+  EXPECT_EQ(sums.second[5], std::int64_t{255} * 255 * kSide * kSide);
 }
 
 TEST(ColourSums, TellMeanAndCovariance) {
-  const std::vector<uint8_t> image = {10, 0, 0, 20, 4, 0};
+  const std::vector<std::uint8_t> image = {10, 0, 0, 20, 4, 0};
   BitMask all(2, 1);
   all.set_run(0, 0, 2);
   ColourSums sums;

@@ -10,7 +10,7 @@
 namespace markservo {
 namespace {
 
-const std::map<std::string, uint64_t> kFingerprints = {
+const std::map<std::string, std::uint64_t> kFingerprints = {
     {"BaseCommand", 0xa30a4f2ffcca8b88},
     {"BaseGoal", 0x6f0897d19d9cc04e},
     {"BaseStatus", 0xefdc95906ae76836},
@@ -60,8 +60,8 @@ TYPED_TEST_SUITE(Fingerprint, AllTypes);
 TYPED_TEST(Fingerprint, IsTheOneThatLogsWereWrittenWith) {
   const auto known = kFingerprints.find(TypeParam::getTypeName());
   ASSERT_NE(known, kFingerprints.end()) << "add " << TypeParam::getTypeName() << " to kFingerprints";
-  EXPECT_EQ(static_cast<uint64_t>(TypeParam::getHash()), known->second)
-      << TypeParam::getTypeName() << ": 0x" << std::hex << static_cast<uint64_t>(TypeParam::getHash());
+  EXPECT_EQ(static_cast<std::uint64_t>(TypeParam::getHash()), known->second)
+      << TypeParam::getTypeName() << ": 0x" << std::hex << static_cast<std::uint64_t>(TypeParam::getHash());
 }
 
 }  // namespace

@@ -15,9 +15,9 @@ namespace markservo {
 namespace {
 
 template <class M>
-std::vector<uint8_t> encoded_default() {
+std::vector<std::uint8_t> encoded_default() {
   M message{};
-  std::vector<uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
   EXPECT_EQ(message.encode(bytes.data(), 0, static_cast<int>(bytes.size())), static_cast<int>(bytes.size()));
   return bytes;
 }
@@ -44,7 +44,7 @@ TYPED_TEST(EveryType, NamesBothFingerprintsWhenItIsOfAnotherVersion) {
   const std::string why = bus::safe_decode<TypeParam>(bytes.data(), bytes.size()).error;
   char ours[32];
   char theirs[32];
-  const auto hash = static_cast<uint64_t>(TypeParam::getHash());
+  const auto hash = static_cast<std::uint64_t>(TypeParam::getHash());
   std::snprintf(ours, sizeof ours, "0x%016llx", static_cast<unsigned long long>(hash));
   std::snprintf(theirs, sizeof theirs, "0x%016llx", static_cast<unsigned long long>(hash ^ 1));
   EXPECT_EQ(why, std::string("message is of another version of ") + TypeParam::getTypeName() +
@@ -61,10 +61,10 @@ TYPED_TEST(EveryType, IsRefusedWithBytesBehindIt) {
 // Any aligned or unaligned place may hold a length: negative, zero, 2 billion, and those whose byte count wraps an int.
 TYPED_TEST(EveryType, SurvivesExtremeNumbersAnywhere) {
   const auto intact = encoded_default<TypeParam>();
-  for (const int32_t extreme : {-1, 0, 2000000000, INT32_MIN, INT32_MAX, 1 << 29, 1 << 30}) {
+  for (const std::int32_t extreme : {-1, 0, 2000000000, INT32_MIN, INT32_MAX, 1 << 29, 1 << 30}) {
     for (std::size_t at = 8; at + 4 <= intact.size(); ++at) {
       auto bytes = intact;
-      const uint32_t big_endian = __builtin_bswap32(static_cast<uint32_t>(extreme));
+      const std::uint32_t big_endian = __builtin_bswap32(static_cast<std::uint32_t>(extreme));
       std::memcpy(&bytes[at], &big_endian, sizeof big_endian);
       EXPECT_NO_THROW(bus::safe_decode<TypeParam>(bytes.data(), bytes.size()));
     }
@@ -75,8 +75,8 @@ TYPED_TEST(EveryType, SurvivesRandomBytesBehindItsFingerprint) {
   const auto intact = encoded_default<TypeParam>();
   std::mt19937 random(1);
   for (int trial = 0; trial < 2000; ++trial) {
-    std::vector<uint8_t> bytes(8 + random() % 600);
-    for (auto& byte : bytes) byte = static_cast<uint8_t>(random() % 4 == 0 ? random() : 0);
+    std::vector<std::uint8_t> bytes(8 + random() % 600);
+    for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random() % 4 == 0 ? random() : 0);
     std::memcpy(bytes.data(), intact.data(), 8);
     EXPECT_NO_THROW(bus::safe_decode<TypeParam>(bytes.data(), bytes.size()));
   }
@@ -91,7 +91,7 @@ TEST(HostileMessage, OfAnotherTypeIsNamed) {
 
 TEST(HostileMessage, NegativeLengthIsRefused) {
   auto bytes = encoded_default<JointState>();
-  const uint32_t minus_one = 0xffffffff;
+  const std::uint32_t minus_one = 0xffffffff;
   std::memcpy(&bytes[8 + 24], &minus_one, 4);  // num_joints follows the fingerprint, utime, session and seq
   EXPECT_FALSE(bus::safe_decode<JointState>(bytes.data(), bytes.size()).ok);
 }
@@ -105,7 +105,7 @@ TEST(HostileMessage, StringOfLengthZeroIsRefused) {
 TEST(HostileMessage, StringWithAZeroInsideOrNoneAtItsEndIsRefused) {
   StopState state{};
   state.device = "arm";
-  std::vector<uint8_t> intact(static_cast<std::size_t>(state.getEncodedSize()));
+  std::vector<std::uint8_t> intact(static_cast<std::size_t>(state.getEncodedSize()));
   ASSERT_GT(state.encode(intact.data(), 0, static_cast<int>(intact.size())), 0);
   const std::size_t device = 8 + 24 + 4;  // behind the fingerprint, utime, session, seq and its own length
   ASSERT_EQ(intact[device], 'a');
@@ -120,7 +120,7 @@ TEST(HostileMessage, StringWithAZeroInsideOrNoneAtItsEndIsRefused) {
 TEST(CarelessMessage, WhoseLengthFieldExceedsItsVectorIsNotEncoded) {
   JointState state{};
   state.num_joints = 3;  // no positions
-  std::vector<uint8_t> bytes(1000);
+  std::vector<std::uint8_t> bytes(1000);
   EXPECT_LT(state.encode(bytes.data(), 0, 1000), 0);
 
   TargetPose pose{};
@@ -151,12 +151,12 @@ TEST(DecodingIntoAUsedMessage, UsesItsMemory) {
   StereoFrame frame{};
   frame.left_size = 1000;
   frame.left.assign(1000, 7);
-  std::vector<uint8_t> bytes(static_cast<std::size_t>(frame.getEncodedSize()));
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(frame.getEncodedSize()));
   frame.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
   frame.left.assign(1000, 0);
-  const uint8_t* const memory = frame.left.data();
+  const std::uint8_t* const memory = frame.left.data();
   EXPECT_EQ(bus::decode_into(frame, bytes.data(), bytes.size()), "");
-  EXPECT_EQ(frame.left, std::vector<uint8_t>(1000, 7));
+  EXPECT_EQ(frame.left, std::vector<std::uint8_t>(1000, 7));
   EXPECT_EQ(frame.left.data(), memory);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ BitMask mask_of(const std::vector<std::string>& rows) {
 BitMask mask_of(const cv::Mat& image) {
   BitMask mask(image.cols, image.rows);
   for (int v = 0; v < image.rows; ++v) {
-    for (int u = 0; u < image.cols; ++u) mask.set(u, v, image.at<uint8_t>(v, u) != 0);
+    for (int u = 0; u < image.cols; ++u) mask.set(u, v, image.at<std::uint8_t>(v, u) != 0);
   }
   return mask;
 }
@@ -51,7 +52,7 @@ TEST(Blobs, AreOpenCvsComponentsWithItsMoments) {
     for (const int width : {1, 64, 65, 150}) {
       for (const double share : {0.3, 0.5, 0.6}) {
         cv::Mat image(83, width, CV_32FC1);
-        cv::RNG random(static_cast<uint64_t>(width));
+        cv::RNG random(static_cast<std::uint64_t>(width));
         random.fill(image, cv::RNG::UNIFORM, 0.0, 1.0);
         cv::Mat binary = (image < share) / 255;
         cv::Mat labels;
@@ -117,7 +118,7 @@ TEST(Blobs, OfNothingAreNone) {
   EXPECT_EQ(shape_of(RunSpan()).area, 0.0);
 }
 
-std::vector<PixelRun> filled(const BlobList& list, const Blob& blob, int64_t max_hole) {
+std::vector<PixelRun> filled(const BlobList& list, const Blob& blob, std::int64_t max_hole) {
   std::vector<PixelRun> runs;
   HoleFiller().fill(list.runs_of(blob), max_hole, runs);
   return runs;

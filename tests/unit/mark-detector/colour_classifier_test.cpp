@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -115,8 +116,8 @@ TEST(ColourClassifier, GivesTheSameBitsPixelByPixelAndByRows) {
   constexpr std::ptrdiff_t kStride = 3 * kWidth + 5;  // rows need not be dense
   std::mt19937 random(3);
   std::uniform_int_distribution<int> level(0, 255);
-  std::vector<uint8_t> bytes(static_cast<std::size_t>(kStride) * kHeight);
-  for (auto& byte : bytes) byte = static_cast<uint8_t>(level(random));
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(kStride) * kHeight);
+  for (auto& byte : bytes) byte = static_cast<std::uint8_t>(level(random));
   const ImageView image{bytes.data(), kWidth, kHeight, kStride};
   LumaHistogram histogram{};
   accumulate(image, histogram);
@@ -136,7 +137,7 @@ TEST(ColourClassifier, GivesTheSameBitsPixelByPixelAndByRows) {
     EXPECT_GT(masks[k].count(), 20);
     for (int v = 0; v < kHeight; ++v) {
       for (int u = 0; u < kWidth; ++u) {
-        const uint8_t* p = image.pixel(u, v);
+        const std::uint8_t* p = image.pixel(u, v);
         const int added = shift[static_cast<std::size_t>(luma(p[0], p[1], p[2]))];
         ASSERT_EQ(masks[k].test(u, v), belongs(rules[k], p[0], p[1], p[2], added));
       }

@@ -45,7 +45,7 @@ class ModelInLight : public ::testing::Test {
         const double print = 0.5 + 0.125 * ((u / 4 + v / 4) % 5);
         for (std::size_t c = 0; c < 3; ++c) {
           const double level = in_mark && mark != nullptr ? print * (*mark)[c] : 160.0 * print;
-          pixels_.push_back(static_cast<uint8_t>(std::min(255L, std::lround(light[c] * level))));
+          pixels_.push_back(static_cast<std::uint8_t>(std::min(255L, std::lround(light[c] * level))));
         }
       }
     }
@@ -65,7 +65,7 @@ class ModelInLight : public ::testing::Test {
   bool accepted_ = false;
 
  private:
-  std::vector<uint8_t> pixels_;
+  std::vector<std::uint8_t> pixels_;
 };
 
 void expect_equal(const robot::ColourInterval& a, const robot::ColourInterval& b) {

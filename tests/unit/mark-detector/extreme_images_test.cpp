@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <random>
 #include <string>
@@ -17,9 +18,9 @@ namespace markservo::mark_detector {
 namespace {
 
 struct Pixel {
-  uint8_t b = 0;
-  uint8_t g = 0;
-  uint8_t r = 0;
+  std::uint8_t b = 0;
+  std::uint8_t g = 0;
+  std::uint8_t r = 0;
 };
 
 constexpr Pixel kRed{40, 35, 190};
@@ -46,7 +47,7 @@ class Image {
  private:
   int width_;
   int height_;
-  std::vector<uint8_t> bytes_;
+  std::vector<std::uint8_t> bytes_;
 };
 
 robot::MarkDescription mark(const std::string& name, double hue_min, double hue_max,
@@ -124,7 +125,7 @@ TEST(ExtremeImage, OfOnePixelShowsNoMark) {
 TEST(ExtremeImage, OfOneColourThatNoMarkHasShowsNone) {
   for (const auto& [width, height] :
        {std::pair{640, 480}, std::pair{4096, 3072}, std::pair{1, 4096}, std::pair{4096, 1}}) {
-    for (const uint8_t level : {uint8_t{0}, uint8_t{120}, uint8_t{255}}) {
+    for (const std::uint8_t level : {std::uint8_t{0}, std::uint8_t{120}, std::uint8_t{255}}) {
       EXPECT_EQ(num_seen(detect(Image(width, height, {level, level, level}))), 0) << width << " x " << height;
     }
   }
@@ -211,8 +212,8 @@ Image all_colours_in_noise(int width, int height) {
             const Pixel colours[] = {kRed, kGreen, kBlue, kYellow};
             const auto bits = random();
             if (bits % 8 < 4) return colours[bits % 4];
-            return Pixel{static_cast<uint8_t>(bits >> 8), static_cast<uint8_t>(bits >> 16),
-                         static_cast<uint8_t>(bits >> 24)};
+            return Pixel{static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16),
+                         static_cast<std::uint8_t>(bits >> 24)};
           }};
 }
 

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -90,15 +91,15 @@ TEST_F(ExtremePicture, FullOfSpecklesIsReported) {
 
 TEST_F(ExtremePicture, ThatIsNoneIsRefusedInOneLine) {
   cv::Mat whole(48, 64, CV_8UC3, cv::Scalar(40, 35, 190));
-  std::vector<uint8_t> png;
+  std::vector<std::uint8_t> png;
   cv::imencode(".png", whole, png);
-  const std::vector<std::vector<uint8_t>> files = {{},
-                                                   {0},
-                                                   {0xFF, 0xD8},
-                                                   {0xFF, 0xD8, 0xFF, 0xC0},
-                                                   {png.begin(), png.begin() + 20},
-                                                   std::vector<uint8_t>(5000, 0x42)};
-  for (const std::vector<uint8_t>& bytes : files) {
+  const std::vector<std::vector<std::uint8_t>> files = {{},
+                                                        {0},
+                                                        {0xFF, 0xD8},
+                                                        {0xFF, 0xD8, 0xFF, 0xC0},
+                                                        {png.begin(), png.begin() + 20},
+                                                        std::vector<std::uint8_t>(5000, 0x42)};
+  for (const std::vector<std::uint8_t>& bytes : files) {
     std::ofstream(path("bad.png"), std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     const Outcome run = run_mark_detector("--image '" + path("bad.png") + "'");

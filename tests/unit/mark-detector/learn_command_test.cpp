@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -81,7 +82,7 @@ class LearnCommand : public ::testing::Test {
  private:
   void write(const std::string& name, const Picture& picture) const {
     const ImageView view = picture.view();
-    cv::imwrite(path(name), cv::Mat(view.height, view.width, CV_8UC3, const_cast<uint8_t*>(view.bgr)));
+    cv::imwrite(path(name), cv::Mat(view.height, view.width, CV_8UC3, const_cast<std::uint8_t*>(view.bgr)));
   }
 
   fs::path folder_;

@@ -27,7 +27,7 @@ class Wall {
       for (int u = 0; u < kWidth; ++u) {
         const double level = u < covered_from ? 30.0 + 37.0 * ((7 * (u / 8) + 5 * (v / 8)) % 4) : 200.0;
         for (const double gain : gains) {
-          pixels_.push_back(static_cast<uint8_t>(std::clamp(std::lround(gain * level + noise(random)), 0L, 255L)));
+          pixels_.push_back(static_cast<std::uint8_t>(std::clamp(std::lround(gain * level + noise(random)), 0L, 255L)));
         }
       }
     }
@@ -35,7 +35,7 @@ class Wall {
   }
 
  private:
-  std::vector<uint8_t> pixels_;
+  std::vector<std::uint8_t> pixels_;
 };
 
 void expect_gains(const LightChange& change, const Bgr& gains, double share) {
@@ -77,7 +77,7 @@ TEST(LightChange, SaysWhenTheSceneIsAnother) {
   LightSamples samples;
   light_change(wall.under({1.0, 1.0, 1.0}, 1), {}, samples);
   EXPECT_FALSE(light_change(wall.under({1.0, 1.0, 1.0}, 2, 0), {}, samples).certain);
-  std::vector<uint8_t> small(3, 100);
+  std::vector<std::uint8_t> small(3, 100);
   EXPECT_FALSE(light_change({small.data(), 1, 1, 3}, {}, samples).certain);
 }
 

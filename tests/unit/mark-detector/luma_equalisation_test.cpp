@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <random>
 
@@ -12,7 +13,7 @@ namespace {
 
 cv::Mat random_image(int width, int height, double mean, double sigma, int seed) {
   cv::Mat image(height, width, CV_8UC3);
-  cv::RNG random(static_cast<uint64_t>(seed));
+  cv::RNG random(static_cast<std::uint64_t>(seed));
   random.fill(image, cv::RNG::NORMAL, cv::Scalar::all(mean), cv::Scalar::all(sigma));
   return image;
 }
@@ -37,8 +38,8 @@ TEST(LumaEqualisation, IsOpenCvsToTheLastLevel) {
       for (int u = 0; u < image.cols; ++u) {
         const auto& p = image.at<cv::Vec3b>(v, u);
         const int own = luma(p[0], p[1], p[2]);
-        ASSERT_EQ(own, y.at<uint8_t>(v, u));
-        ASSERT_EQ(own + shift[static_cast<std::size_t>(own)], equalised.at<uint8_t>(v, u)) << seed;
+        ASSERT_EQ(own, y.at<std::uint8_t>(v, u));
+        ASSERT_EQ(own + shift[static_cast<std::size_t>(own)], equalised.at<std::uint8_t>(v, u)) << seed;
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "tests/unit/imaging/random_mask.hpp"
 
@@ -33,7 +34,7 @@ TEST(Majority, IsTheCountOfNineWithARepeatedBorder) {
       for (const double share : {0.005, 0.2, 0.5, 0.8}) {
         const BitMask mask = random_mask(width, height, share, static_cast<unsigned>(width + height));
         const BitMask clean = majority3(mask);
-        int64_t expected = 0;
+        std::int64_t expected = 0;
         for (int v = 0; v < height; ++v) {
           for (int u = 0; u < width; ++u) {
             ASSERT_EQ(clean.test(u, v), majority_at(mask, u, v)) << width << " x " << height << " at " << u << " " << v;

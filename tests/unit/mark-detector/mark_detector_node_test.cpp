@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <lcm/lcm-cpp.hpp>
 #include <markservo/ServiceStatus.hpp>
@@ -26,13 +27,13 @@ using namespace test;
 const std::string kRobotFile = std::string(MARKSERVO_SOURCE_DIR) + "/config/robot.yaml";
 
 // A frame with the red book's mark at a disparity of 200 px.
-StereoFrame frame_at(int64_t utime, double u) {
+StereoFrame frame_at(std::int64_t utime, double u) {
   const auto expose = [&](double column, unsigned seed) {
     Picture picture(640, 480, kGrey);
     picture.draw({column, 150.0, 78.0, 0.0, kRed, 0.1});
     picture.expose(1.0, 3.0, seed);
     const ImageView view = picture.view();
-    return std::vector<uint8_t>(view.bgr, view.row(view.height));
+    return std::vector<std::uint8_t>(view.bgr, view.row(view.height));
   };
   StereoFrame frame{};
   frame.utime = utime;
@@ -49,21 +50,21 @@ StereoFrame frame_at(int64_t utime, double u) {
   frame.encoding = StereoFrame::ENCODING_BGR8;
   frame.left = expose(u, static_cast<unsigned>(utime));
   frame.right = expose(u - 200.0, static_cast<unsigned>(utime) + 1000);
-  frame.left_size = static_cast<int32_t>(frame.left.size());
-  frame.right_size = static_cast<int32_t>(frame.right.size());
+  frame.left_size = static_cast<std::int32_t>(frame.left.size());
+  frame.right_size = static_cast<std::int32_t>(frame.right.size());
   return frame;
 }
 
 void encode(StereoFrame& frame) {
   for (auto* side : {&frame.left, &frame.right}) {
     const cv::Mat image(frame.height, frame.width, CV_8UC3, side->data());
-    std::vector<uint8_t> jpeg;
+    std::vector<std::uint8_t> jpeg;
     cv::imencode(".jpg", image, jpeg);
     *side = jpeg;
   }
   frame.encoding = StereoFrame::ENCODING_JPEG;
-  frame.left_size = static_cast<int32_t>(frame.left.size());
-  frame.right_size = static_cast<int32_t>(frame.right.size());
+  frame.left_size = static_cast<std::int32_t>(frame.left.size());
+  frame.right_size = static_cast<std::int32_t>(frame.right.size());
 }
 
 // A configured node on a bus, with what it answers.
@@ -99,7 +100,7 @@ class LiveNode : public ::testing::Test {
     frames_.publish(frame);
     settle(on_bus_.bus());
   }
-  int64_t refused() { return bus::refused(on_bus_.bus(), "STEREO_FRAME"); }
+  std::int64_t refused() { return bus::refused(on_bus_.bus(), "STEREO_FRAME"); }
 
   NodeOnBus on_bus_;
   bus::Publisher<StereoFrame> frames_;
@@ -164,10 +165,10 @@ TEST_F(LiveNode, DropsAJpegThatClaimsAnotherSizeThanTheFrame) {
   StereoFrame frame = frame_at(1000, 400.0);
   encode(frame);
   // The frame header: FF C0, length, precision, height, width.
-  const std::vector<uint8_t> marker = {0xFF, 0xC0};
+  const std::vector<std::uint8_t> marker = {0xFF, 0xC0};
   const auto header = std::search(frame.left.begin(), frame.left.end(), marker.begin(), marker.end());
   ASSERT_GT(frame.left.end() - header, 9);
-  std::fill(header + 5, header + 9, uint8_t{0xFF});
+  std::fill(header + 5, header + 9, std::uint8_t{0xFF});
   send(frame);
   EXPECT_TRUE(answers_.empty());
   EXPECT_EQ(refused(), 1);
@@ -178,7 +179,7 @@ TEST(ReplayedNode, WritesTheSameBytesTwice) {
   std::filesystem::create_directories(folder);
   {
     lcm::LCM log("file://" + (folder / "in.lcm").string() + "?mode=w");
-    for (int64_t i = 1; i <= 5; ++i) {
+    for (std::int64_t i = 1; i <= 5; ++i) {
       StereoFrame frame = frame_at(i * 50000, 380.0 + 5.0 * static_cast<double>(i));
       log.publish("STEREO_FRAME", &frame);
     }
@@ -212,7 +213,7 @@ class PictureMode : public ::testing::Test {
     picture.draw({90.5, 60.5, 20.0, 0.0, kRed, 0.0});
     picture.expose();
     const ImageView view = picture.view();
-    cv::imwrite(path("in.png"), cv::Mat(90, 120, CV_8UC3, const_cast<uint8_t*>(view.bgr)));
+    cv::imwrite(path("in.png"), cv::Mat(90, 120, CV_8UC3, const_cast<std::uint8_t*>(view.bgr)));
   }
   ~PictureMode() override { std::filesystem::remove_all(folder_); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }

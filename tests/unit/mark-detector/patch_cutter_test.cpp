@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 #include <vector>
@@ -76,7 +77,7 @@ TEST(PatchPlan, KeepsTheBudgetServesTheFirstBestAndTheLastToo) {
   const PatchParameters parameters;
   const std::vector<PatchRequest> requests(8, {box(300, 200, 90, 90), box(100, 200, 90, 90)});
   const std::vector<int> scales = plan_scales(requests, parameters, 640, 480);
-  int64_t bytes = 0;
+  std::int64_t bytes = 0;
   for (std::size_t i = 0; i < scales.size(); ++i) {
     ASSERT_GT(scales[i], 0) << i;
     for (const Shape& shape : {requests[i].left, requests[i].right}) {
@@ -116,7 +117,7 @@ TEST(Patch, IsTheAreaAverageOfTheImage) {
     const Patch patch = cut_patch(view_of(image), nothing, frame);
     cv::Mat expected;
     cv::resize(image(cv::Rect(7, 4, 12 * scale, 9 * scale)), expected, cv::Size(12, 9), 0.0, 0.0, cv::INTER_AREA);
-    const cv::Mat own(9, 12, CV_8UC3, const_cast<uint8_t*>(patch.bgr.data()));
+    const cv::Mat own(9, 12, CV_8UC3, const_cast<std::uint8_t*>(patch.bgr.data()));
     EXPECT_LE(cv::norm(own, expected, cv::NORM_INF), 1.0) << scale;
   }
 }
@@ -139,7 +140,7 @@ TEST(Patch, TakesAPixelThatIsHalfMarkAsMark) {
   const cv::Mat image(8, 8, CV_8UC3, cv::Scalar::all(9));
   const Region mark = region_of({{2, 2, 4}, {4, 2, 3}}, 8, 8);
   const Patch patch = cut_patch(view_of(image), mark, {2, 2, 2, 1, 2});
-  EXPECT_EQ(patch.mask, (std::vector<uint8_t>{1, 0}));
+  EXPECT_EQ(patch.mask, (std::vector<std::uint8_t>{1, 0}));
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ class Picture {
     bytes_.resize(data_.size());
     for (std::size_t i = 0; i < data_.size(); ++i) {
       const double level = gain * data_[i] + (sigma > 0.0 ? sigma * noise(random) : 0.0);
-      bytes_[i] = static_cast<uint8_t>(std::clamp(std::lround(level), 0L, 255L));
+      bytes_[i] = static_cast<std::uint8_t>(std::clamp(std::lround(level), 0L, 255L));
     }
     return *this;
   }
@@ -121,7 +121,7 @@ class Picture {
   int width_;
   int height_;
   std::vector<double> data_;
-  std::vector<uint8_t> bytes_;
+  std::vector<std::uint8_t> bytes_;
 };
 
 }  // namespace markservo::mark_detector::test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <markservo/JointCommand.hpp>
 #include <markservo/MarkDetection.hpp>
 #include <markservo/ServiceStatus.hpp>
@@ -44,7 +45,7 @@ TEST(StereoFrameRules, RefuseImagesOfDifferentSizes) {
 }
 
 TEST(StereoFrameRules, RefuseImpossibleSizesAndCalibrations) {
-  for (const int32_t width : {0, -4, 1000000}) {
+  for (const std::int32_t width : {0, -4, 1000000}) {
     auto frame = small_frame();
     frame.width = width;
     EXPECT_NE(violation(frame).find("width"), std::string::npos);
@@ -182,12 +183,12 @@ TEST(MarkDetectionRules, NameTheSizeThatIsRefused) {
 
 TEST(StateRules, RefuseStatesThatAreNotNumbered) {
   TaskState task{};
-  for (const int8_t state : {TaskState::IDLE, TaskState::DRIVE}) {
-    task.state = static_cast<int8_t>(state);
+  for (const std::int8_t state : {TaskState::IDLE, TaskState::DRIVE}) {
+    task.state = static_cast<std::int8_t>(state);
     EXPECT_EQ(violation(task), "");
   }
   for (const int state : {-1, TaskState::DRIVE + 1}) {
-    task.state = static_cast<int8_t>(state);
+    task.state = static_cast<std::int8_t>(state);
     EXPECT_NE(violation(task).find("state"), std::string::npos);
   }
   task.state = 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <markservo/JointState.hpp>
 #include <markservo/StopRequest.hpp>
@@ -14,7 +15,7 @@
 namespace markservo::messages {
 namespace {
 
-StopRequest request(int8_t kind) {
+StopRequest request(std::int8_t kind) {
   StopRequest request{};
   request.session = 7;
   request.request_id = 1;
@@ -24,7 +25,7 @@ StopRequest request(int8_t kind) {
 
 TEST(StopRules, StopIsMendedInsteadOfRefused) {
   StopRequest stop = request(StopRequest::STOP);
-  stop.utime = std::numeric_limits<int64_t>::min();
+  stop.utime = std::numeric_limits<std::int64_t>::min();
   stop.session = -1;
   stop.source = std::string(1 << 20, '\x1b');
   stop.reason = "smoke\n" + std::string(1000, 'x');
@@ -40,7 +41,7 @@ TEST(StopRules, StopIsMendedInsteadOfRefused) {
 
 TEST(StopRules, StopKeepsATimeThatMayBeTrue) {
   StopRequest stop = request(StopRequest::STOP);
-  for (const int64_t utime : {int64_t{0}, int64_t{1}, kMaxCount}) {
+  for (const std::int64_t utime : {std::int64_t{0}, std::int64_t{1}, kMaxCount}) {
     stop.utime = utime;
     EXPECT_TRUE(mend_if_it_must_be_obeyed(stop));
     EXPECT_EQ(stop.utime, utime);
@@ -48,7 +49,7 @@ TEST(StopRules, StopKeepsATimeThatMayBeTrue) {
 }
 
 TEST(StopRules, ResetAndUnknownKindsAreNotMended) {
-  for (const int8_t kind : {StopRequest::RESET, int8_t{2}, int8_t{-1}}) {
+  for (const std::int8_t kind : {StopRequest::RESET, std::int8_t{2}, std::int8_t{-1}}) {
     StopRequest other = request(kind);
     other.reason = std::string(1000, 'x');
     EXPECT_FALSE(mend_if_it_must_be_obeyed(other));
@@ -81,7 +82,7 @@ TEST(StopRules, AbortLosesAllButItsKind) {
 }
 
 TEST(StopRules, StartAndHomeAreNotMended) {
-  for (const int8_t kind : {TaskCommand::START, TaskCommand::HOME}) {
+  for (const std::int8_t kind : {TaskCommand::START, TaskCommand::HOME}) {
     TaskCommand command{};
     command.session = 7;
     command.kind = kind;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <lcm/lcm-cpp.hpp>
 #include <map>
@@ -92,14 +93,14 @@ TEST(SimulatorBase, StopsWithoutCommandsAndAtAStop) {
   client.request_stop(StopRequest::RESET);
   client.until([&] { return newest(client).speed > 0.2; });
   client.driver = nullptr;
-  const int64_t silent_from = newest(client).utime;
+  const std::int64_t silent_from = newest(client).utime;
   client.until([&] { return newest(client).speed == 0.0; });
   EXPECT_LT(newest(client).utime - silent_from, 1'000'000);
 
   client.driver = forward;
   client.until([&] { return newest(client).speed > 0.1; });
   client.request_stop(StopRequest::STOP);
-  const int64_t stopped_at = client.stop_states.back().utime;
+  const std::int64_t stopped_at = client.stop_states.back().utime;
   client.until([&] { return newest(client).speed == 0.0; });
   EXPECT_LT(newest(client).utime - stopped_at, 700'000);
 }
@@ -109,7 +110,7 @@ TEST(SimulatorBase, BothDevicesEchoTheStop) {
   const SimulatorProcess simulator(with_start({}));
   client.until([&] { return !client.stop_states.empty(); });
   client.request_stop(StopRequest::RESET);
-  const int64_t id = client.stop_states.back().request_id;
+  const std::int64_t id = client.stop_states.back().request_id;
   std::map<std::string, bool> latched;
   client.until([&] {
     for (const StopState& state : client.stop_states) {
@@ -149,7 +150,7 @@ TEST(SimulatorBase, TruthHasTheOdometrysTimeAndNumber) {
   const SimulatorProcess simulator(lockstep_with("BASE_COMMAND"));
   client.driver = forward;
   client.until([&] { return client.odometries.size() >= 20; });
-  std::map<int64_t, int64_t> utime_of;
+  std::map<std::int64_t, std::int64_t> utime_of;
   for (const WheelOdometry& odometry : client.odometries) utime_of[odometry.seq] = odometry.utime;
   for (const SimBaseTruth& truth : client.base_truths) {
     if (utime_of.count(truth.odometry_seq) == 0) continue;
@@ -166,7 +167,7 @@ TEST(SimulatorBaseLockstep, StandsStillUntilTheOdometryIsAnswered) {
   EXPECT_GT(client.odometries.back().seq, 1) << "but the odometry was sent again";
   client.answer_odometry(client.odometries.back(), 0.0);
   client.until([&] { return client.odometries.back().utime == kEpoch_us + 20'000; });
-  const int64_t seq = client.odometries.back().seq;
+  const std::int64_t seq = client.odometries.back().seq;
   client.for_a_while(std::chrono::milliseconds(1000));
   EXPECT_EQ(client.odometries.back().seq, seq) << "once answered, an odometry is sent once";
 }
@@ -178,7 +179,7 @@ TEST(SimulatorBaseLockstep, AMissingAnswerMakesTheRunInvalid) {
   client.until([&] { return client.truths.size() >= 2; });
   EXPECT_TRUE(client.truths.back().valid);
   client.driver = nullptr;
-  const int64_t last = client.odometries.back().seq;
+  const std::int64_t last = client.odometries.back().seq;
   client.until([&] { return client.odometries.back().seq > last + 1; });
   client.driver = forward;
   client.answer_odometry(client.odometries.back(), 0.0);
@@ -193,8 +194,8 @@ TEST(SimulatorBaseLockstep, TheSameSeedGivesTheSameDriveBitForBit) {
   client.driver = forward;
   const auto home = [&] { client.answer(client.next_frame(), {0.0, 2.0943951, -2.6179939}); };
   home();
-  const auto run = [&](int64_t seed) {
-    const int64_t begin = client.control(SimControl::RESET, seed, {}).utime;
+  const auto run = [&](std::int64_t seed) {
+    const std::int64_t begin = client.control(SimControl::RESET, seed, {}).utime;
     client.request_stop(StopRequest::RESET);
     client.rounds.clear();
     client.scans.clear();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 #include "services/simulator/world/simulation.hpp"
 #include "tests/unit/simulator/simulator_process.hpp"
@@ -44,7 +45,7 @@ TEST(SimulatorLockstep, StandsStillUntilTheFrameIsAnswered) {
   client.answer(client.frames.back(), kElsewhere);
   client.until([&] { return client.frames.back().utime > kEpoch_us; });
   EXPECT_EQ(client.frames.back().utime, kEpoch_us + 34'000);
-  const int64_t seq = client.frames.back().seq;
+  const std::int64_t seq = client.frames.back().seq;
   client.for_a_while(std::chrono::milliseconds(1500));
   EXPECT_EQ(client.frames.back().seq, seq) << "once answered, frames are sent once";
 }
@@ -85,7 +86,7 @@ TEST(SimulatorLockstep, TheSameSeedGivesTheSameRunBitForBit) {
   Client client;
   const SimulatorProcess simulator(lockstep_with({"--encoding", "raw"}));
   client.answer(client.next_frame(), kElsewhere);
-  const auto run = [&](int64_t seed) {
+  const auto run = [&](std::int64_t seed) {
     client.control(SimControl::RESET, seed, {{"servo.deadband_deg", 0.3}});
     client.request_stop(StopRequest::RESET);
     client.until([&] { return client.frames.back().seq == client.truths.back().frame_seq; });
@@ -125,8 +126,8 @@ TEST(SimulatorLockstep, LostFramesLeaveGapsAndAreNotWaitedFor) {
   Client client;
   const SimulatorProcess simulator(lockstep_with({"--set", "frames.drop_rate=0.5"}));
   for (int i = 0; i < 10; ++i) client.answer(client.next_frame(), kElsewhere);
-  const int64_t lost =
-      client.frames.back().seq - client.frames.front().seq + 1 - static_cast<int64_t>(client.frames.size());
+  const std::int64_t lost =
+      client.frames.back().seq - client.frames.front().seq + 1 - static_cast<std::int64_t>(client.frames.size());
   EXPECT_GT(lost, 1);
   EXPECT_EQ(client.truths.back().frame_seq, client.frames.back().seq);
   EXPECT_TRUE(client.truths.back().valid);
@@ -149,7 +150,7 @@ TEST(SimulatorControl, MistakesAreEchoedAndChangeNothing) {
   Client client;
   const SimulatorProcess simulator(kLockstep);
   client.next_frame();
-  const int64_t before = client.truths.back().utime;
+  const std::int64_t before = client.truths.back().utime;
   EXPECT_NE(client.control(SimControl::SET, 0, {{"no.such", 1.0}}).control_error.find("'no.such' is unknown"),
             std::string::npos);
   EXPECT_NE(client.control(SimControl::SET, 0, {{"books.x", 0.0}}).control_error.find("with RESET"), std::string::npos);
@@ -175,7 +176,7 @@ TEST(SimulatorRealTime, GoesOnAfterAReset) {
   Client client;
   const SimulatorProcess simulator({"--set", "frames.rate_hz=10"});
   client.next_frame();
-  const int64_t echo_utime = client.control(SimControl::RESET, 5, {}).utime;
+  const std::int64_t echo_utime = client.control(SimControl::RESET, 5, {}).utime;
   client.next_frame();
   client.next_frame();
   EXPECT_GT(client.frames.back().utime, echo_utime);
@@ -188,7 +189,7 @@ TEST(SimulatorRealTime, AnArmWithoutCommandsFreezes) {
   client.request_stop(StopRequest::RESET);
   client.next_frame();
   client.answer(client.next_frame(), kElsewhere, 0.2);
-  const int64_t answered = client.frames.back().utime;
+  const std::int64_t answered = client.frames.back().utime;
   client.until([&] { return client.joints.back().moving; });
   client.until([&] { return client.joints.back().utime > answered + 1'000'000; });
   EXPECT_FALSE(client.joints.back().moving);

@@ -135,7 +135,7 @@ class Client {
     command.frame_session = frame.session;
     command.frame_seq = frame.seq;
     command.joint_session = frame.session;  // the simulator's own, as of all that it tells
-    command.num_joints = static_cast<int32_t>(position.size());
+    command.num_joints = static_cast<std::int32_t>(position.size());
     command.position = position;
     command.speed_limit.assign(position.size(), speed);
     command.gripper_opening = 0.04;
@@ -154,13 +154,13 @@ class Client {
   }
 
   // us, the world's time as last told: what a command must carry to be fresh.
-  int64_t newest_utime() {
+  std::int64_t newest_utime() {
     until([&] { return !stop_states.empty(); });
     return std::max(stop_states.back().utime, joints.empty() ? 0 : joints.back().utime);
   }
 
   // STOP or its reset, until it is echoed.
-  void request_stop(int8_t kind) {
+  void request_stop(std::int8_t kind) {
     StopRequest request{};
     request.session = stops_.session();
     request.request_id = ++last_id_;
@@ -172,7 +172,7 @@ class Client {
   }
 
   // SIM_CONTROL, until it is echoed; the echo.
-  SimTruth control(int8_t kind, int64_t seed, const std::vector<std::pair<std::string, double>>& settings) {
+  SimTruth control(std::int8_t kind, std::int64_t seed, const std::vector<std::pair<std::string, double>>& settings) {
     SimControl message{};
     message.utime = newest_utime();
     message.session = controls_.session();
@@ -185,14 +185,14 @@ class Client {
       parameter.value = value;
       message.parameters.push_back(parameter);
     }
-    message.num_parameters = static_cast<int32_t>(message.parameters.size());
+    message.num_parameters = static_cast<std::int32_t>(message.parameters.size());
     controls_.publish(message);
     until([&] { return !truths.empty() && truths.back().control_id == message.control_id; });
     return truths.back();
   }
 
   // Publishes again what was sent before, as senders do until they are echoed.
-  void repeat_control(int64_t control_id, int8_t kind, int64_t seed) {
+  void repeat_control(std::int64_t control_id, std::int8_t kind, std::int64_t seed) {
     SimControl message{};
     message.utime = newest_utime();
     message.session = controls_.session();
@@ -215,8 +215,8 @@ class Client {
   bus::Publisher<BaseCommand> base_commands_;
   bus::Publisher<StopRequest> stops_;
   bus::Publisher<SimControl> controls_;
-  int64_t last_id_ = 0;
-  int64_t given_seq_ = 0;
+  std::int64_t last_id_ = 0;
+  std::int64_t given_seq_ = 0;
 };
 
 }  // namespace markservo::simulator

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace markservo::stack_watch {
 namespace {
 
-constexpr int64_t kSecond_us = 1'000'000;
+constexpr std::int64_t kSecond_us = 1'000'000;
 
-Instant at(int64_t seconds) {
+Instant at(std::int64_t seconds) {
   return {1'700'000'000 * kSecond_us + seconds * kSecond_us, 50 * kSecond_us + seconds * kSecond_us};
 }
 

@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 namespace markservo::stack_watch {
 namespace {
 
-constexpr int64_t kSecond_us = 1'000'000;
-constexpr int64_t kTick_us = 250'000;
-constexpr int64_t kSession = 11;
-constexpr int64_t kBegin_us = 100 * kSecond_us;
+constexpr std::int64_t kSecond_us = 1'000'000;
+constexpr std::int64_t kTick_us = 250'000;
+constexpr std::int64_t kSession = 11;
+constexpr std::int64_t kBegin_us = 100 * kSecond_us;
 
 // A stack of two services on a bus, by the quarter of a second.
 class Stack {
@@ -39,7 +40,7 @@ class Stack {
   SilenceWatch watch;
   std::vector<RunningProcess> processes{{"visual-servo", 7}, {"target-locator", 8}};
   std::vector<SilentService> told;
-  int64_t now_us = kBegin_us;
+  std::int64_t now_us = kBegin_us;
   int count = 0;
 };
 

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 
 #include "common/robot/configuration_error.hpp"
 #include "services/target-locator/pose_message.hpp"
@@ -22,19 +23,19 @@ MarkView message_of(const test::RenderedView& rendered) {
   const View& view = rendered.view;
   message.seen = view.seen ? 1 : 0;
   message.clipped = view.clipped ? 1 : 0;
-  message.x = static_cast<int32_t>(view.x);
-  message.y = static_cast<int32_t>(view.y);
-  message.width = static_cast<int32_t>(view.width);
-  message.height = static_cast<int32_t>(view.height);
-  message.patch.x = static_cast<int32_t>(view.patch.frame.x);
-  message.patch.y = static_cast<int32_t>(view.patch.frame.y);
-  message.patch.scale = static_cast<int32_t>(view.patch.frame.scale);
+  message.x = static_cast<std::int32_t>(view.x);
+  message.y = static_cast<std::int32_t>(view.y);
+  message.width = static_cast<std::int32_t>(view.width);
+  message.height = static_cast<std::int32_t>(view.height);
+  message.patch.x = static_cast<std::int32_t>(view.patch.frame.x);
+  message.patch.y = static_cast<std::int32_t>(view.patch.frame.y);
+  message.patch.scale = static_cast<std::int32_t>(view.patch.frame.scale);
   message.patch.width = view.patch.width;
   message.patch.height = view.patch.height;
   message.patch.bgr = rendered.bgr;
-  message.patch.bgr_size = static_cast<int32_t>(rendered.bgr.size());
+  message.patch.bgr_size = static_cast<std::int32_t>(rendered.bgr.size());
   message.patch.mask = rendered.mask;
-  message.patch.mask_size = static_cast<int32_t>(rendered.mask.size());
+  message.patch.mask_size = static_cast<std::int32_t>(rendered.mask.size());
   return message;
 }
 
@@ -63,7 +64,7 @@ MarkDetection detection_of(const test::Scene& scene, const std::vector<std::stri
     mark.right = message_of(rendered.right);
     detection.marks.push_back(mark);
   }
-  detection.num_marks = static_cast<int32_t>(detection.marks.size());
+  detection.num_marks = static_cast<std::int32_t>(detection.marks.size());
   return detection;
 }
 

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <markservo/ServiceStatus.hpp>
 #include <vector>
 
@@ -15,7 +16,7 @@
 namespace markservo::task_manager {
 namespace {
 
-constexpr int64_t kFrame_us = 33'333;
+constexpr std::int64_t kFrame_us = 33'333;
 
 class TaskManagerOnABus : public bus::NodeOnABus<TaskManagerNode> {
  protected:
@@ -42,7 +43,7 @@ class TaskManagerOnABus : public bus::NodeOnABus<TaskManagerNode> {
     joints_.publish(joints);
   }
 
-  void start(const std::string& target, int64_t id = 1) {
+  void start(const std::string& target, std::int64_t id = 1) {
     TaskCommand command{};
     command.utime = utime_;
     command.session = 99;
@@ -67,7 +68,7 @@ class TaskManagerOnABus : public bus::NodeOnABus<TaskManagerNode> {
   }
 
   // base-navigator's word on the newest goal.
-  void tell_base(int8_t state, int64_t session) {
+  void tell_base(std::int8_t state, std::int64_t session) {
     BaseStatus status{};
     status.utime = utime_;
     status.goal_session = session;
@@ -78,7 +79,7 @@ class TaskManagerOnABus : public bus::NodeOnABus<TaskManagerNode> {
   }
 
   // The target located at `y`, and visual-servo's word on this frame.
-  void frame(double y = 0.25, int8_t servo_state = ServoStatus::HOLD) {
+  void frame(double y = 0.25, std::int8_t servo_state = ServoStatus::HOLD) {
     utime_ += kFrame_us;
     ++frame_seq_;
     for (const std::string& device : others_) tell_stop(false, device);
@@ -116,8 +117,8 @@ class TaskManagerOnABus : public bus::NodeOnABus<TaskManagerNode> {
   std::vector<TaskState> states_;
   std::vector<ServoGoal> goals_;
   std::vector<BaseGoal> base_goals_;
-  int64_t utime_ = 1'000'000'000;
-  int64_t frame_seq_ = 0;
+  std::int64_t utime_ = 1'000'000'000;
+  std::int64_t frame_seq_ = 0;
 };
 
 TEST_F(TaskManagerOnABus, AnswersEachServoStatusWithOneTaskStateOfTheSameFrame) {
@@ -252,11 +253,12 @@ TEST_F(TaskManagerOnABus, AnArrivalAtAnotherOnesGoalIsNone) {
 TEST_F(TaskManagerOnABus, IgnoresWhatCannotBe) {
   tell_joints();
   tell_joints(2);  // another arm's
-  EXPECT_THROW(frame(0.25, static_cast<int8_t>(77)), std::invalid_argument) << "no bus carries a state that is none";
+  EXPECT_THROW(frame(0.25, static_cast<std::int8_t>(77)), std::invalid_argument)
+      << "no bus carries a state that is none";
   EXPECT_TRUE(states_.empty());
   frame();
   EXPECT_EQ(states_.size(), 1u);
-  int64_t refused = 0;
+  std::int64_t refused = 0;
   for (const auto& channel : bus_.status().channels) refused += channel.refused;
   EXPECT_EQ(refused, 1);
 }

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstdint>
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
@@ -44,7 +45,7 @@ class OperatorOnABus : public ::testing::Test {
   bool latched_ = true;
   int deaf_to_ = 0;  // requests that get lost
   bool obeys_ = true;
-  std::vector<int8_t> procedure_;  // states that follow one after the other once a command came
+  std::vector<std::int8_t> procedure_;  // states that follow one after the other once a command came
   std::vector<StopRequest> requests_;
   std::vector<TaskCommand> commands_;
 
@@ -84,7 +85,7 @@ class OperatorOnABus : public ::testing::Test {
   bus::Publisher<TaskState> task_states_;
   StopState stop_{};
   TaskState task_{};
-  int64_t utime_ = 1'000'000;
+  std::int64_t utime_ = 1'000'000;
 };
 
 TEST_F(OperatorOnABus, StopLatchesTheArmAndSaysWhoAsked) {
