@@ -29,11 +29,36 @@ void add_pixel(const std::uint8_t* p, std::int64_t* totals) {
   for (std::size_t k = 0; k < kSums; ++k) totals[k] += values[k];
 }
 
+// Adds the pixels from `bgr` on whose bits are set in `lanes`.
+template <class V>
+HWY_INLINE void AddLanes(Wide d, const std::uint8_t* bgr, std::uint64_t lanes, V* sums) {
+  const Bytes bytes;
+  std::uint8_t mask_bytes[8];
+  std::memcpy(mask_bytes, &lanes, sizeof lanes);
+  const auto wanted = hn::LoadMaskBits(d, mask_bytes);
+  auto b8 = hn::Zero(bytes);
+  auto g8 = hn::Zero(bytes);
+  auto r8 = hn::Zero(bytes);
+  hn::LoadInterleaved3(bytes, bgr, b8, g8, r8);
+  const auto b = hn::IfThenElseZero(wanted, hn::PromoteTo(d, b8));
+  const auto g = hn::IfThenElseZero(wanted, hn::PromoteTo(d, g8));
+  const auto r = hn::IfThenElseZero(wanted, hn::PromoteTo(d, r8));
+  sums[0] = hn::Add(sums[0], hn::IfThenElseZero(wanted, hn::Set(d, 1)));
+  sums[1] = hn::Add(sums[1], b);
+  sums[2] = hn::Add(sums[2], g);
+  sums[3] = hn::Add(sums[3], r);
+  sums[4] = hn::Add(sums[4], hn::Mul(b, b));
+  sums[5] = hn::Add(sums[5], hn::Mul(b, g));
+  sums[6] = hn::Add(sums[6], hn::Mul(b, r));
+  sums[7] = hn::Add(sums[7], hn::Mul(g, g));
+  sums[8] = hn::Add(sums[8], hn::Mul(g, r));
+  sums[9] = hn::Add(sums[9], hn::Mul(r, r));
+}
+
 void AddColours(const std::uint8_t* bgr, std::ptrdiff_t stride, const BitMask& mask, int row_step,
                 std::int64_t* totals) {
   const int width = mask.width();
   const Wide d;
-  const Bytes bytes;
   const int n = static_cast<int>(hn::Lanes(d));
   decltype(hn::Zero(d)) sums[kSums];
   for (auto& sum : sums) sum = hn::Zero(d);
@@ -65,26 +90,7 @@ void AddColours(const std::uint8_t* bgr, std::ptrdiff_t stride, const BitMask& m
         // The last vector of a row begins earlier, with its first lanes off.
         const int at = std::min(u, width - n);
         const std::uint64_t lanes = here << (u - at);
-        std::uint8_t mask_bytes[8];
-        std::memcpy(mask_bytes, &lanes, sizeof lanes);
-        const auto wanted = hn::LoadMaskBits(d, mask_bytes);
-        auto b8 = hn::Zero(bytes);
-        auto g8 = hn::Zero(bytes);
-        auto r8 = hn::Zero(bytes);
-        hn::LoadInterleaved3(bytes, bgr + 3 * static_cast<std::ptrdiff_t>(at), b8, g8, r8);
-        const auto b = hn::IfThenElseZero(wanted, hn::PromoteTo(d, b8));
-        const auto g = hn::IfThenElseZero(wanted, hn::PromoteTo(d, g8));
-        const auto r = hn::IfThenElseZero(wanted, hn::PromoteTo(d, r8));
-        sums[0] = hn::Add(sums[0], hn::IfThenElseZero(wanted, hn::Set(d, 1)));
-        sums[1] = hn::Add(sums[1], b);
-        sums[2] = hn::Add(sums[2], g);
-        sums[3] = hn::Add(sums[3], r);
-        sums[4] = hn::Add(sums[4], hn::Mul(b, b));
-        sums[5] = hn::Add(sums[5], hn::Mul(b, g));
-        sums[6] = hn::Add(sums[6], hn::Mul(b, r));
-        sums[7] = hn::Add(sums[7], hn::Mul(g, g));
-        sums[8] = hn::Add(sums[8], hn::Mul(g, r));
-        sums[9] = hn::Add(sums[9], hn::Mul(r, r));
+        AddLanes(d, bgr + 3 * static_cast<std::ptrdiff_t>(at), lanes, sums);
       }
       if (++words == kWordsPerFlush) {
         flush();

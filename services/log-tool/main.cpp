@@ -2,7 +2,6 @@
 //   in: log files     out: log files, CSV, PNG, text or JSON; `play` writes to a bus
 
 #include <cstdio>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -152,6 +151,110 @@ int types(const Options& options) {
   return kGood;
 }
 
+class Commands {
+ public:
+  explicit Commands(markservo::bus::CommandLine& command_line) : command_line_(&command_line) {}
+
+  void add_all() {
+    add_readers();
+    add_writers();
+    add_comparison();
+    add_player();
+  }
+
+  // The one that was chosen.
+  int run() const { return action_(options_); }
+
+ private:
+  using Action = int (*)(const Options&);
+
+  Add command(const char* name, const char* what, Action run) {
+    return Add(command_line_->add_command(name, what, [this, run] { action_ = run; }));
+  }
+
+  void add_choice(const Add& add) {
+    // A range also refuses what is no number.
+    add.option("--from", options_.choice.from, "s after the log's first event").within(-1e9, 1e9);
+    add.option("--to", options_.choice.to, "s after the log's first event, that instant not included")
+        .within(-1e9, 1e9);
+    add.option("--channel", options_.choice.channels, "These channels only (regular expression; may be repeated)")
+        .one_at_a_time();
+    add.option("--without", options_.choice.without, "Not these channels").one_at_a_time();
+  }
+
+  void add_readers() {
+    Add add = command("info", "Channels, types, rates, gaps, losses, span, damage", info);
+    add.option("LOG", options_.inputs).required();
+    add.flag("--json", options_.json, "JSON for programs");
+
+    add = command("verify", "Says where the log is damaged and what cannot be decoded", verify);
+    add.option("LOG", options_.inputs).required();
+
+    add = command("types", "The message types that this build knows, with their fingerprints", types);
+    add.flag("--json", options_.json, "JSON for programs");
+  }
+
+  void add_writers() {
+    Add add = command("repair", "Writes all events that can be read to a new log", repair);
+    add.option("LOG", options_.input).required();
+    add.option("NEW", options_.output).required();
+
+    add = command("cut", "Writes a part of the log, by time and channel, to a new log", cut);
+    add.option("LOG", options_.input).required();
+    add.option("NEW", options_.output).required();
+    add_choice(add);
+
+    add = command("splice", "Replaces the channels of DERIVED in RECORDED: what the next service would have heard",
+                  splice);
+    add.option("RECORDED", options_.input).required();
+    add.option("DERIVED", options_.other).required();
+    add.option("NEW", options_.output).required();
+    add.option("--without", options_.choice.without, "Not these channels of RECORDED").one_at_a_time();
+
+    add = command("export", "Writes CSV per channel and PNG per stereo frame into a folder", export_log);
+    add.option("LOG", options_.input).required();
+    add.option("FOLDER", options_.output).required();
+    add_choice(add);
+
+    add = command("extract-config", "Writes the configuration files that a recording kept into a new folder", extract);
+    add.option("RECORDING", options_.input).required();
+    add.option("FOLDER", options_.output).required();
+  }
+
+  void add_comparison() {
+    const Add add = command("compare", "Compares what a replay wrote with what was recorded", compare_logs);
+    add.option("RECORDED", options_.input).required();
+    add.option("REPLAYED", options_.other).required();
+    add.option("--tolerance", options_.comparison.tolerance, "Of numbers, absolute and relative, SI units")
+        .within(0.0, 1e9)
+        .show_default();
+    add.flag("--complete", options_.complete, "A message that was not recorded, or recorded only, is a difference too");
+    add.flag("--exact", options_.exact, "Demand the same sequence of channels and payloads, byte by byte");
+  }
+
+  void add_player() {
+    const Add add = command("play", "Plays to a bus what moves no robot", play_log);
+    add.option("LOG", options_.input).required();
+    const auto no_live_bus = [](const std::string& url) {
+      const bool live = markservo::bus::is_udpm(url) || url.rfind("tcpq://", 0) == 0;
+      return live ? std::string() : url + ": allowed are udpm:// and tcpq://, a bus that others are on";
+    };
+    add.option("--lcm-url", options_.play.url, "The bus")
+        .environment("MARKSERVO_LCM_URL")
+        .check(no_live_bus, "udpm:// or tcpq://")
+        .show_default();
+    add.option("--speed", options_.play.speed, "Times the recorded pace").within(1e-6, 1e6).show_default();
+    add.option("--channel", options_.play.channels,
+               "These channels only (regular expression), also such as the table of channels does not have");
+    add.flag("--all", options_.play.all, "Also what moves a robot or speaks for what is there now");
+    add.flag("--join", options_.play.join, "Beside others: leaves out what somebody writes and what feeds motion");
+  }
+
+  markservo::bus::CommandLine* command_line_;
+  Options options_;
+  Action action_ = nullptr;
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -160,83 +263,11 @@ int main(int argc, char** argv) {
       "Looks into LCM logs, mends, cuts, exports, compares and plays them. A LOG is a file or a recording's folder.\n"
       "Exits 0 when all is well, 1 for a damaged log, a difference or a bus in use, 2 for what is no log or a wrong\n"
       "option, 3 for a bus that cannot be joined.");
-  Options options;
-  std::function<int(const Options&)> action;
-  const auto command = [&](const char* name, const char* what, std::function<int(const Options&)> run) {
-    return Add(command_line.add_command(name, what, [&action, run = std::move(run)] { action = run; }));
-  };
-  const auto add_choice = [&options](const Add& add) {
-    // A range also refuses what is no number.
-    add.option("--from", options.choice.from, "s after the log's first event").within(-1e9, 1e9);
-    add.option("--to", options.choice.to, "s after the log's first event, that instant not included").within(-1e9, 1e9);
-    add.option("--channel", options.choice.channels, "These channels only (regular expression; may be repeated)")
-        .one_at_a_time();
-    add.option("--without", options.choice.without, "Not these channels").one_at_a_time();
-  };
-
-  Add add = command("info", "Channels, types, rates, gaps, losses, span, damage", info);
-  add.option("LOG", options.inputs).required();
-  add.flag("--json", options.json, "JSON for programs");
-
-  add = command("verify", "Says where the log is damaged and what cannot be decoded", verify);
-  add.option("LOG", options.inputs).required();
-
-  add = command("repair", "Writes all events that can be read to a new log", repair);
-  add.option("LOG", options.input).required();
-  add.option("NEW", options.output).required();
-
-  add = command("cut", "Writes a part of the log, by time and channel, to a new log", cut);
-  add.option("LOG", options.input).required();
-  add.option("NEW", options.output).required();
-  add_choice(add);
-
-  add = command("export", "Writes CSV per channel and PNG per stereo frame into a folder", export_log);
-  add.option("LOG", options.input).required();
-  add.option("FOLDER", options.output).required();
-  add_choice(add);
-
-  add = command("extract-config", "Writes the configuration files that a recording kept into a new folder", extract);
-  add.option("RECORDING", options.input).required();
-  add.option("FOLDER", options.output).required();
-
-  add = command("compare", "Compares what a replay wrote with what was recorded", compare_logs);
-  add.option("RECORDED", options.input).required();
-  add.option("REPLAYED", options.other).required();
-  add.option("--tolerance", options.comparison.tolerance, "Of numbers, absolute and relative, SI units")
-      .within(0.0, 1e9)
-      .show_default();
-  add.flag("--complete", options.complete, "A message that was not recorded, or recorded only, is a difference too");
-  add.flag("--exact", options.exact, "Demand the same sequence of channels and payloads, byte by byte");
-
-  add =
-      command("splice", "Replaces the channels of DERIVED in RECORDED: what the next service would have heard", splice);
-  add.option("RECORDED", options.input).required();
-  add.option("DERIVED", options.other).required();
-  add.option("NEW", options.output).required();
-  add.option("--without", options.choice.without, "Not these channels of RECORDED").one_at_a_time();
-
-  add = command("play", "Plays to a bus what moves no robot", play_log);
-  add.option("LOG", options.input).required();
-  const auto no_live_bus = [](const std::string& url) {
-    const bool live = markservo::bus::is_udpm(url) || url.rfind("tcpq://", 0) == 0;
-    return live ? std::string() : url + ": allowed are udpm:// and tcpq://, a bus that others are on";
-  };
-  add.option("--lcm-url", options.play.url, "The bus")
-      .environment("MARKSERVO_LCM_URL")
-      .check(no_live_bus, "udpm:// or tcpq://")
-      .show_default();
-  add.option("--speed", options.play.speed, "Times the recorded pace").within(1e-6, 1e6).show_default();
-  add.option("--channel", options.play.channels,
-             "These channels only (regular expression), also such as the table of channels does not have");
-  add.flag("--all", options.play.all, "Also what moves a robot or speaks for what is there now");
-  add.flag("--join", options.play.join, "Beside others: leaves out what somebody writes and what feeds motion");
-
-  add = command("types", "The message types that this build knows, with their fingerprints", types);
-  add.flag("--json", options.json, "JSON for programs");
-
+  Commands commands(command_line);
+  commands.add_all();
   if (const auto exit_code = command_line.parse(argc, argv)) return *exit_code;
   try {
-    return action(options);
+    return commands.run();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "log-tool: %s\n", error.what());
     if (dynamic_cast<const markservo::bus::BusUnavailable*>(&error) != nullptr) return kNoBus;
