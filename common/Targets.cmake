@@ -16,11 +16,18 @@ function(markservo_executable name)
   target_link_libraries(${name} PRIVATE ${arg_LINK} markservo_options)
 endfunction()
 
-# markservo_test(name SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable that ctest runs as one test.
+# markservo_test(name SOURCES a_test.cpp ... LINK lib ... [WHOLE] [ENVIRONMENT NAME=VALUE]): a GoogleTest executable. ctest knows each of its tests
+# as NAME.SUITE.TEST, and asks the executable for them when it runs. WHOLE: one entry, since its tests share what costs
+# more than they do.
 function(markservo_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "WHOLE" "ENVIRONMENT" "SOURCES;LINK")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest_main markservo_options)
   target_compile_definitions(${name} PRIVATE MARKSERVO_SOURCE_DIR="${PROJECT_SOURCE_DIR}" MARKSERVO_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
-  add_test(NAME ${name} COMMAND ${name})
+  if(arg_WHOLE)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "${arg_ENVIRONMENT}")
+  else()
+    gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST PROPERTIES ENVIRONMENT "${arg_ENVIRONMENT}")
+  endif()
 endfunction()

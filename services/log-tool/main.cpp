@@ -168,8 +168,8 @@ class Commands {
  private:
   using Action = int (*)(const Options&);
 
-  Add command(const char* name, const char* what, Action run) {
-    return Add(command_line_->add_command(name, what, [this, run] { action_ = run; }));
+  Add command(const char* name, const char* what, Action action) {
+    return Add(command_line_->add_command(name, what, [this, action] { action_ = action; }));
   }
 
   void add_choice(const Add& add) {

@@ -1,7 +1,10 @@
 #include "tests/experiments/localisation/run_log.hpp"
 
 #include <lcm/lcm-cpp.hpp>
+#include <markservo/RfidTagHits.hpp>
+#include <markservo/RobotPose.hpp>
 #include <markservo/SimBaseTruth.hpp>
+#include <markservo/WheelOdometry.hpp>
 #include <markservo/channels.hpp>
 #include <stdexcept>
 

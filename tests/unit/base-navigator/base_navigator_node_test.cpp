@@ -6,10 +6,15 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <markservo/BaseCommand.hpp>
 #include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
+#include <markservo/RobotPose.hpp>
 #include <markservo/ServiceStatus.hpp>
+#include <markservo/SonarEcho.hpp>
 #include <markservo/SonarScan.hpp>
 #include <markservo/StopState.hpp>
+#include <markservo/WheelOdometry.hpp>
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <markservo/TargetPose.hpp>
 
 #include <filesystem>
 #include <fstream>

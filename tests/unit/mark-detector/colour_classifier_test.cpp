@@ -126,7 +126,7 @@ TEST(ColourClassifier, GivesTheSameBitsPixelByPixelAndByRows) {
                                          make_rule({30.0, 300.0, 0.1, 0.9, 0.1, 0.9}, 0)};
   std::vector<FrameRule> for_frame;
   frame_rules(rules, shift, for_frame);
-  std::vector<BitMask> masks(rules.size());
+  std::vector<imaging::BitMask> masks(rules.size());
   ScanRules scanned;
   for (std::size_t k = 0; k < rules.size(); ++k) {
     masks[k].reset(kWidth, kHeight);

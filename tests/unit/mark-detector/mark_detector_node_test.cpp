@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <markservo/DetectedMark.hpp>
+#include <markservo/MarkDetection.hpp>
+#include <markservo/StereoFrame.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <markservo/RfidTagHits.hpp>
+#include <markservo/WheelOdometry.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <markservo/PaperLocalisation.hpp>
+#include <markservo/RfidTagHit.hpp>
+#include <markservo/RfidTagHits.hpp>
+#include <markservo/RobotPose.hpp>
 #include <markservo/ServiceStatus.hpp>
+#include <markservo/WheelOdometry.hpp>
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"

@@ -7,6 +7,12 @@
 #include <cstdlib>
 #include <lcm/lcm-cpp.hpp>
 #include <map>
+#include <markservo/SimBaseTruth.hpp>
+#include <markservo/SimControl.hpp>
+#include <markservo/SonarScan.hpp>
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
+#include <markservo/WheelOdometry.hpp>
 #include <string>
 #include <utility>
 #include <vector>

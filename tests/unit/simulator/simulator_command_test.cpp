@@ -4,6 +4,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <markservo/SimControl.hpp>
+#include <markservo/SimTruth.hpp>
+#include <markservo/StereoFrame.hpp>
+#include <markservo/StopRequest.hpp>
 
 #include "services/simulator/world/simulation.hpp"
 #include "tests/unit/simulator/simulator_process.hpp"

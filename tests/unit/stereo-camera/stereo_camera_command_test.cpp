@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <markservo/StereoFrame.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "calibration_text.hpp"

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <markservo/ServiceStatus.hpp>
+#include <markservo/StereoFrame.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "common/robot/configuration_error.hpp"

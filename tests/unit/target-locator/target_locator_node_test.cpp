@@ -7,6 +7,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <markservo/DetectedMark.hpp>
+#include <markservo/LocatedMark.hpp>
+#include <markservo/MarkDetection.hpp>
+#include <markservo/MarkView.hpp>
+#include <markservo/StereoMatches.hpp>
+#include <markservo/TargetPose.hpp>
 
 #include "common/robot/configuration_error.hpp"
 #include "services/target-locator/pose_message.hpp"

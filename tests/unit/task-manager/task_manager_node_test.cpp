@@ -7,7 +7,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
+#include <markservo/JointState.hpp>
+#include <markservo/LocatedMark.hpp>
 #include <markservo/ServiceStatus.hpp>
+#include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
+#include <markservo/StopState.hpp>
+#include <markservo/TargetPose.hpp>
+#include <markservo/TaskCommand.hpp>
+#include <markservo/TaskState.hpp>
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"

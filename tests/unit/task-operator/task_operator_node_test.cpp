@@ -7,6 +7,10 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdint>
+#include <markservo/StopRequest.hpp>
+#include <markservo/StopState.hpp>
+#include <markservo/TaskCommand.hpp>
+#include <markservo/TaskState.hpp>
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"

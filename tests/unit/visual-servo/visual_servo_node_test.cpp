@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <markservo/JointCommand.hpp>
 #include <markservo/JointState.hpp>
 #include <markservo/ServiceStatus.hpp>
 #include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
 #include <markservo/StopState.hpp>
+#include <markservo/TargetPose.hpp>
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
