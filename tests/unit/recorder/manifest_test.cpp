@@ -191,10 +191,11 @@ TEST(ToldOfRecording, NamesGapsAndDamage) {
             "damaged (markservo log info tells where)");
 }
 
-TEST(ToldOfRecording, SaysNothingOfWhatWasNotCounted) {
+TEST(ToldOfRecording, SaysThatItWasNotCountedAndWhatCounts) {
   Json manifest = begun();
   complete(&manifest, ended(nullptr));
-  EXPECT_EQ(told_of_recording(manifest, "scripts/log"), "12 s, 2.5 MB in 2 file(s)");
+  EXPECT_EQ(told_of_recording(manifest, "scripts/log"),
+            "12 s, 2.5 MB in 2 file(s), not counted (scripts/log info counts)");
 }
 
 TEST(ToldOfGaps, NamesEachReasonOnce) {

@@ -84,11 +84,27 @@ TEST_F(ArmCommandOfARobot, StreamedRampsEndJustBeforeTheNextCommand) {
   EXPECT_LT((command_.speed_limit() - JointVector(1.575, 0.63, 0.2)).norm(), 1e-12);
 }
 
-TEST_F(ArmCommandOfARobot, AStepWithoutASpeedOfItsOwnIsMadeAtTheServos) {
+TEST_F(ArmCommandOfARobot, AStepWithoutASpeedOfItsOwnIsMadeInFourMilliseconds) {
   move({{0.05, 0.0, 0.0}, false, 1.75});
   EXPECT_EQ(command_.speed_limit(), JointVector::Constant(1.75));
+  move({{0.008, -0.0004, 0.0}, false});
+  EXPECT_LT((command_.speed_limit() - JointVector(2.0, 0.2, 0.2)).norm(), 1e-12);
   move({{0.05, 0.0, 0.0}, false});
-  EXPECT_EQ(command_.speed_limit(), servo_speeds(arm_));
+  EXPECT_EQ(command_.speed_limit()[0], servo_speeds(arm_)[0]);
+}
+
+TEST_F(ArmCommandOfARobot, WhereTheArmRestsNothingIsFast) {
+  JointHistory joints;
+  joints.add(sample_at(kStart), servo_speeds(arm_));
+  move({{0.008, 0.0, 0.0}, false});
+  command_.relax({}, joints);
+  EXPECT_GT(command_.speed_limit()[0], 1.0) << "not there yet";
+  JointSample there = sample_at(kStart);
+  there.utime += 100'000;
+  there.position = command_.position();
+  joints.add(there, servo_speeds(arm_));
+  command_.relax({}, joints);
+  EXPECT_EQ(command_.speed_limit(), JointVector::Constant(0.2));
 }
 
 TEST(GripperCommand, WhatPressesGoesOnPressingAndWhatMovesStops) {
