@@ -55,10 +55,10 @@ TEST_F(KeepLogger, EndsTheLoggerWhenItIsToldTo) {
 }
 
 TEST_F(KeepLogger, EndsTheLoggerWhenItIsKilled) {
-  const CommandResult result =
-      keep("trap 'echo > " + quoted(scratch_.path("told")) + "; exit' TERM; while true; do sleep 0.02; done",
-           "sleep 0.5; kill -9 $keeper; for i in {1..100}; do [[ -e " + quoted(scratch_.path("told")) +
-               " ]] && break; sleep 0.1; done");
+  const CommandResult result = keep(
+      "told=" + quoted(scratch_.path("told")) + "\ntrap 'echo > \"$told\"; exit' TERM; while true; do sleep 0.02; done",
+      "sleep 0.5; kill -9 $keeper; for i in {1..100}; do [[ -e " + quoted(scratch_.path("told")) +
+          " ]] && break; sleep 0.1; done");
   EXPECT_TRUE(scratch_.has("told"));
   EXPECT_EQ(result.exit_code, 128 + 9);
 }
