@@ -15,9 +15,9 @@
 namespace markservo::motion {
 
 struct CommandPathParameters {
-  double allowance = 0.03;  // rad beyond the told speed: one short step (a deadband is left in one), a frame that came
-                            // early
-  double at_shaft = 0.03;   // rad; so near to the shafts a command moves nothing: its writer takes them as they are
+  double short_step = 0.035;  // rad, told at any speed: a deadband is left in one such step
+  double allowance = 0.01;    // rad beyond the told speed: a frame that came early
+  double at_shaft = 0.03;     // rad; so near to the shafts a command moves nothing: its writer takes them as they are
 };
 
 class CommandPath {
@@ -25,9 +25,9 @@ class CommandPath {
   explicit CommandPath(CommandPathParameters parameters = {}) : parameters_(parameters) {}
 
   // The first joint whose commanded position (rad) lies farther from the last command that was followed than
-  // `speed_limit` (rad/s) allows in the time between the two measurements that they answer; nothing when none does, when
-  // all are where the shafts (rad) are, or before the first. `utime`: us, of the measurement that it answers. The three
-  // hold one number a joint.
+  // `speed_limit` (rad/s) allows in the time between the two measurements that they answer; nothing when none does,
+  // when all are where the shafts (rad) are, or before the first. `utime`: us, of the measurement that it answers. The
+  // three hold one number a joint.
   template <class Vector>
   std::optional<std::size_t> jumping_joint(const Vector& commanded, const Vector& speed_limit, const Vector& shaft,
                                            std::int64_t utime) const {
@@ -38,7 +38,7 @@ class CommandPath {
     for (std::size_t joint = 0; joint < last_.size(); ++joint) {
       const auto i = static_cast<decltype(commanded.size())>(joint);
       moves = moves || std::abs(commanded[i] - shaft[i]) > parameters_.at_shaft;
-      const double allowed = speed_limit[i] * seconds + parameters_.allowance;
+      const double allowed = std::max(parameters_.short_step, speed_limit[i] * seconds + parameters_.allowance);
       if (!jumping && std::abs(commanded[i] - last_[joint]) > allowed) jumping = joint;
     }
     return moves ? jumping : std::nullopt;

@@ -32,7 +32,6 @@ bool rests(const Frame& frame, std::int64_t utime) {
 // Two moves in the ending directions, a frame apart: to the last but one posture, and home.
 void enter(const JointVector& q_goal, const Frame& frame, SightState& state, SightAnswer& answer) {
   answer.step = last_but_one(frame.parameters.one_sided, frame.q_command, q_goal, state.directions) - frame.q_command;
-  answer.at_once = true;
   state.final = q_goal;
   state.phase = Phase::kEnter;
 }

@@ -22,7 +22,7 @@ constexpr double kLongestFrame_s = 0.1;  // a longer gap must not become a longe
 constexpr double kStands_s = 0.3;        // without a command, by then the arm stands: nothing is left to slow down from
 constexpr double kRampReserve = 1.05;    // ramps end a little before the next command
 constexpr double kSlowestRamp = 0.2;     // rad/s
-constexpr double kAtOnce_s = 0.004;      // a step of this length outruns the motor, and ends within a servo's pulse
+constexpr double kAtOnce_s = 0.008;      // a step of this length outruns the motor, and ends within a servo's pulse
 constexpr double kNegligibleStep = 1e-4;  // rad
 constexpr double kPlaceKnown_s = 0.03;  // of agreeing joint states after a leap, before the arm is taken where they say
 
