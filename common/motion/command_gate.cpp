@@ -27,7 +27,7 @@ const char* describe(CommandVerdict verdict) {
     case CommandVerdict::kLeads:
       return "leads the shafts by more than 0.3 s at its speed limit and 0.1 rad";
     case CommandVerdict::kJumps:
-      return "jumps away from the command before it, by more than its speed limit and 0.03 rad";
+      return "jumps away from the command before it, by more than its speed limit allows and 0.035 rad";
     case CommandVerdict::kTwoWriters:
       return "is of one of two writers";
   }

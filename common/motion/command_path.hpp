@@ -15,9 +15,9 @@
 namespace markservo::motion {
 
 struct CommandPathParameters {
-  double allowance = 0.03;  // rad beyond the told speed: one short step (a deadband is left in one), a frame that came
-                            // early
-  double at_shaft = 0.03;   // rad; so near to the shafts a command moves nothing: its writer takes them as they are
+  double short_step = 0.035;  // rad, told at any speed: a deadband is left in one such step
+  double allowance = 0.01;    // rad beyond the told speed: a frame that came early
+  double at_shaft = 0.03;     // rad; so near to the shafts a command moves nothing: its writer takes them as they are
 };
 
 class CommandPath {
@@ -38,7 +38,7 @@ class CommandPath {
     for (std::size_t joint = 0; joint < last_.size(); ++joint) {
       const auto i = static_cast<decltype(commanded.size())>(joint);
       moves = moves || std::abs(commanded[i] - shaft[i]) > parameters_.at_shaft;
-      const double allowed = speed_limit[i] * seconds + parameters_.allowance;
+      const double allowed = std::max(parameters_.short_step, speed_limit[i] * seconds + parameters_.allowance);
       if (!jumping && std::abs(commanded[i] - last_[joint]) > allowed) jumping = joint;
     }
     return moves ? jumping : std::nullopt;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kFactorFrame_s = 1.0 / 30.0;  // in which slow_down_factor acts once
 constexpr double kRampReserve = 1.05;          // ramps end a little before the next command
 constexpr double kSlowestRamp = 0.2;           // rad/s
-constexpr double kAtOnce_s = 0.004;       // a step of this length outruns the motor, and ends within a servo's pulse
+constexpr double kAtOnce_s = 0.008;       // a step of this length outruns the motor, and ends within a servo's pulse
 constexpr double kNegligibleStep = 1e-4;  // rad
 
 JointVector speed_limit_of(const robot::ArmDescription& arm, const ArmStep& step, double seconds) {

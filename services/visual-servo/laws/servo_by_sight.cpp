@@ -37,6 +37,7 @@ double speed_before(const Frame& frame) {
 void enter(const JointVector& q_goal, const Frame& frame, SightState& state, LawAnswer& answer) {
   answer.step.change =
       last_but_one(frame.parameters.one_sided, frame.q_command, q_goal, state.directions) - frame.q_command;
+  answer.step.joint_speed = frame.parameters.rate.joint_speed;
   state.final = q_goal;
   state.phase = Phase::kEnter;
 }

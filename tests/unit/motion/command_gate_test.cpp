@@ -125,12 +125,14 @@ class Path : public testing::Test {
   const Eigen::Vector3d shaft_ = last_ - Eigen::Vector3d(0.1, 0.1, 0.1);  // on its way there
 };
 
-TEST_F(Path, GoesOnAtTheToldSpeedAndThreeHundredthsOfARadian) {
+TEST_F(Path, GoesOnAtTheToldSpeedOrByAShortStep) {
   path_.follow(last_, kNow);
-  EXPECT_EQ(jump({0.0, 0.0, 0.079}, 0.05, 1.0), std::nullopt);
-  EXPECT_EQ(jump({0.0, 0.0, 0.081}, 0.05, 1.0), 2U);
-  EXPECT_EQ(jump({0.0, -0.081, 0.0}, 0.05, 1.0), 1U);
-  EXPECT_EQ(jump({0.0, -0.081, 0.0}, 0.1, 1.0), std::nullopt) << "twice as long since the last";
+  EXPECT_EQ(jump({0.0, 0.0, 0.059}, 0.05, 1.0), std::nullopt);
+  EXPECT_EQ(jump({0.0, 0.0, 0.061}, 0.05, 1.0), 2U);
+  EXPECT_EQ(jump({0.0, -0.061, 0.0}, 0.05, 1.0), 1U);
+  EXPECT_EQ(jump({0.0, -0.061, 0.0}, 0.1, 1.0), std::nullopt) << "twice as long since the last";
+  EXPECT_EQ(jump({0.034, 0.0, 0.0}, 0.03, 0.2), std::nullopt);
+  EXPECT_EQ(jump({0.036, 0.0, 0.0}, 0.03, 0.2), 0U);
 }
 
 TEST_F(Path, AWriterMayTakeTheShaftsWhereTheyAre) {

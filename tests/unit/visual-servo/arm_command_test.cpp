@@ -84,11 +84,11 @@ TEST_F(ArmCommandOfARobot, StreamedRampsEndJustBeforeTheNextCommand) {
   EXPECT_LT((command_.speed_limit() - JointVector(1.575, 0.63, 0.2)).norm(), 1e-12);
 }
 
-TEST_F(ArmCommandOfARobot, AStepWithoutASpeedOfItsOwnIsMadeInFourMilliseconds) {
+TEST_F(ArmCommandOfARobot, AStepWithoutASpeedOfItsOwnIsMadeInEightMilliseconds) {
   move({{0.05, 0.0, 0.0}, false, 1.75});
   EXPECT_EQ(command_.speed_limit(), JointVector::Constant(1.75));
   move({{0.008, -0.0004, 0.0}, false});
-  EXPECT_LT((command_.speed_limit() - JointVector(2.0, 0.2, 0.2)).norm(), 1e-12);
+  EXPECT_LT((command_.speed_limit() - JointVector(1.0, 0.2, 0.2)).norm(), 1e-12);
   move({{0.05, 0.0, 0.0}, false});
   EXPECT_EQ(command_.speed_limit()[0], servo_speeds(arm_)[0]);
 }
@@ -98,7 +98,7 @@ TEST_F(ArmCommandOfARobot, WhereTheArmRestsNothingIsFast) {
   joints.add(sample_at(kStart), servo_speeds(arm_));
   move({{0.008, 0.0, 0.0}, false});
   command_.relax({}, joints);
-  EXPECT_GT(command_.speed_limit()[0], 1.0) << "not there yet";
+  EXPECT_GT(command_.speed_limit()[0], 0.9) << "not there yet";
   JointSample there = sample_at(kStart);
   there.utime += 100'000;
   there.position = command_.position();
