@@ -118,11 +118,12 @@ CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::in
   const auto leads = motion::leading_joint(command.position, speed, shaft);
   const auto jumps = path_.jumping_joint(command.position, speed, shaft, offered.stamp.utime);
   CommandAnswer answer;
-  answer.joint = leads ? leads : jumps;
   motion::OfferedCommand judged = offered;
   judged.leads = leads.has_value();
   judged.jumps = jumps.has_value();
   answer.verdict = gate_.offer(judged, utime(), latch_.latched());
+  if (answer.verdict == motion::CommandVerdict::kLeads) answer.joint = leads;
+  if (answer.verdict == motion::CommandVerdict::kJumps) answer.joint = jumps;
   if (answer.verdict == motion::CommandVerdict::kTwoWriters) {
     latch_.latch(gate_.two_writers(), utime());
     freeze();

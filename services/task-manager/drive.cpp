@@ -107,7 +107,7 @@ bool ProcedureStep::corrects_the_stand(const std::string& trouble) {
 }
 
 void ProcedureStep::send(DriveGoal goal) {
-  goal.id = std::max(s_.drive.goal.id, in_.base ? in_.base->goal_id : 0) + 1;
+  goal.id = s_.drive.numbers.next(s_.drive.goal.id);
   s_.drive.goal = goal;
   s_.drive.goal_is_new = true;
 }

@@ -26,6 +26,8 @@ Output Procedure::step(const Input& input, State& state) const {
 }
 
 void ProcedureStep::run() {
+  s_.numbers.observe(in_.servo.goal_id, in_.utime);
+  if (in_.base) s_.drive.numbers.observe(in_.base->goal_id, in_.utime);
   watch_the_clock();
   watch_the_arm();
   watch_the_stop_devices();
@@ -314,8 +316,7 @@ void ProcedureStep::stop(const std::string& reason) {
 }
 
 void ProcedureStep::send(Goal goal) {
-  // Above what another may have said in our name.
-  goal.id = std::max(s_.goal.id, in_.servo.goal_id) + 1;
+  goal.id = s_.numbers.next(s_.goal.id);
   s_.goal = std::move(goal);
   s_.goal_is_new = true;
 }

@@ -23,6 +23,7 @@
 #include "common/bus/repeat_timer.hpp"
 #include "common/motion/command_inbox.hpp"
 #include "services/task-manager/drive_watch.hpp"
+#include "services/task-manager/goal_numbers.hpp"
 #include "services/task-manager/lift_check.hpp"
 #include "services/task-manager/move_watch.hpp"
 #include "services/task-manager/parameters.hpp"
@@ -45,6 +46,7 @@ enum class AfterRelease { kLookAgain, kFail, kHome, kHomeCarried };
 // What the base was told for the task, and how that goes.
 struct DriveTask {
   DriveGoal goal;
+  GoalNumbers numbers;
   DriveProgress progress;
   std::string words;  // where to, for people
   bus::RepeatTimer repeat{bus::kStateRepeat_us};
@@ -63,6 +65,7 @@ struct State {
   motion::CommandInbox inbox{"TASK_COMMAND", "JOINT_STATE"};
 
   Goal goal;
+  GoalNumbers numbers;
   bool goal_is_new = false;
   bus::RepeatTimer repeat{bus::kStateRepeat_us};
 
