@@ -12,7 +12,7 @@
 // | ------- | --------------------------------------------------------- | ------------------------------ |
 // | any     | session 0, of no sender                                   | ended                          |
 // | any     | a goal too old or too far ahead                           | stale; it may come again fresh |
-// | any     | an id far beyond the sender's last: nothing could follow it | beyond                       |
+// | any     | an id far beyond the sender's last                        | beyond                         |
 // | any     | of another sender while the floor's holder repeats        | second                         |
 // | any     | an id that was replaced, ended or ignored                 | ended; it takes no floor       |
 // | latched | any other                                                 | ended at once                  |

@@ -3,12 +3,12 @@
 // What arm and base were told last, and when it is to be sent: at once when it is new, then five times a second; as a
 // new one when nobody heard it.
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "common/bus/repeat_timer.hpp"
+#include "services/task-manager/goal_numbers.hpp"
 #include "services/task-manager/procedure_types.hpp"
 #include "services/task-manager/watches/condition_timer.hpp"
 
@@ -22,12 +22,12 @@ class RepeatedGoal {
   const G& newest() const { return newest_; }
   bool none_yet() const { return newest_.id == 0; }
 
-  // Another spoke in our name, up to goal `id`: only what lies above it is heard as new.
-  void pass(std::int64_t id) { passed_ = std::max(passed_, id); }
+  // Its mover reports at `utime` (us) that it follows our goal `id`; 0: none of ours.
+  void hear(std::int64_t id, std::int64_t utime) { numbers_.observe(id, utime); }
 
   // A new goal, under the next id.
   void set(G goal) {
-    goal.id = std::max(newest_.id, passed_) + 1;
+    goal.id = numbers_.next(newest_.id);
     newest_ = std::move(goal);
     is_new_ = true;
   }
@@ -50,7 +50,7 @@ class RepeatedGoal {
 
  private:
   G newest_;
-  std::int64_t passed_ = 0;  // id
+  GoalNumbers numbers_;
   bool is_new_ = false;
   bus::RepeatTimer repeat_{bus::kStateRepeat_us};
   ConditionTimer ignored_;

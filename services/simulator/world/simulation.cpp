@@ -88,11 +88,12 @@ CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::in
   const auto leads = motion::leading_joint(command.position, speed, shaft);
   const auto jumps = path_.jumping_joint(command.position, speed, shaft, offered.stamp.utime);
   CommandAnswer answer;
-  answer.joint = leads ? leads : jumps;
   motion::OfferedCommand judged = offered;
   judged.leads = leads.has_value();
   judged.jumps = jumps.has_value();
   answer.verdict = control_.offer_arm(judged, utime());
+  if (answer.verdict == motion::CommandVerdict::kLeads) answer.joint = leads;
+  if (answer.verdict == motion::CommandVerdict::kJumps) answer.joint = jumps;
   if (answer.verdict == motion::CommandVerdict::kTwoWriters) freeze();
   if (answer.verdict != motion::CommandVerdict::kObeyed) return answer;
   path_.follow(command.position, offered.stamp.utime);

@@ -32,7 +32,7 @@ enum class Timing {
 // What became of a command.
 struct CommandAnswer {
   motion::CommandVerdict verdict = motion::CommandVerdict::kLatched;
-  std::optional<std::size_t> joint;  // whose command leads the shaft or jumps, where one does
+  std::optional<std::size_t> joint;  // whose command leads the shaft or jumps: of these two verdicts only
 };
 
 class Simulation {

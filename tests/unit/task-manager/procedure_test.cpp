@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "common/robot/arm_kinematics.hpp"
 #include "tests/unit/task-manager/fake_robot.hpp"
 
@@ -151,6 +153,20 @@ TEST(Procedure, AGoalInItsNameUnderAHigherIdEndsTheTaskAndLocksNothing) {
   ASSERT_TRUE(robot.run_until(Phase::kFailed, 20.0));
   robot.run_for(1.0);
   EXPECT_GT(robot.goal().id, robot.forged_goal_id);
+  robot.send(CommandKind::kStart, "red_book");
+  EXPECT_TRUE(robot.run_until(Phase::kHoldLifted));
+}
+
+TEST(Procedure, AReportOfAGoalThatNobodyCanHaveSentLeadsItNowhere) {
+  FakeRobot robot;
+  robot.send(CommandKind::kStart, "red_book");
+  ASSERT_TRUE(robot.run_until(Phase::kApproach));
+  robot.forged_goal_id = std::numeric_limits<std::int64_t>::max();
+  ASSERT_TRUE(robot.run_until(Phase::kFailed, 20.0));
+  robot.run_for(3.0);
+  EXPECT_GT(robot.goal().id, 0);
+  EXPECT_LT(robot.goal().id, 100);
+  robot.forged_goal_id = 0;
   robot.send(CommandKind::kStart, "red_book");
   EXPECT_TRUE(robot.run_until(Phase::kHoldLifted));
 }
