@@ -20,10 +20,10 @@ BusCensusNode::BusCensusNode(const std::string& url, bool status_only)
                 [this](const bus::HeardBytes& message) { hear(message); }) {}
 
 void BusCensusNode::hear(const bus::HeardBytes& message) {
-  census_->hear(census::heard_of(message.channel, message.data, message.size, message.size, message.utime));
+  census_->observe(census::heard_of(message.channel, message.data, message.size, message.size, message.utime));
   const auto word = census::word_in(message.channel, message.data, message.size);
   if (!word) return;
-  census_->hear(*word, message.utime);
+  census_->observe(*word, message.utime);
   if (on_status) on_status(*word);
 }
 

@@ -27,9 +27,9 @@ class RecentCensus {
   explicit RecentCensus(Instant now) : older_(now.wall_us), newer_(now.wall_us), turned_us_(now.steady_us) {}
 
   // What the stack's supervisor runs: others cannot crowd it out.
-  void know(const census::KnownProcesses& known);
-  void hear(const census::Heard& message);
-  void hear(const census::ServiceWord& word, Instant now);
+  void observe(const census::KnownProcesses& known);
+  void observe(const census::Heard& message);
+  void observe(const census::ServiceWord& word, Instant now);
   // To be called once a second at least.
   void tick(Instant now);
 

@@ -56,12 +56,12 @@ class SilenceWatch {
   explicit SilenceWatch(SilenceParameters parameters = {}) : parameters_(parameters) {}
 
   // A service's own word: its SERVICE_STATUS, from this host.
-  void hear_word(const std::string& name, int pid, std::int64_t session, std::int64_t now_us);
+  void observe_word(const std::string& name, int pid, std::int64_t session, std::int64_t now_us);
   // Any other message of that session.
-  void hear_session(std::int64_t session, std::int64_t now_us);
+  void observe_session(std::int64_t session, std::int64_t now_us);
   // The watch sends a word of its own once a second, which comes back while there is a bus.
   void send_beacon();
-  void hear_beacon(std::int64_t now_us);
+  void observe_beacon(std::int64_t now_us);
 
   // To be called at least four times a second: those silent for too long, of the processes that run now. Each is told
   // once, and then counted anew. One that is not in `processes` is never told, nor listened to.
@@ -83,7 +83,7 @@ class SilenceWatch {
     std::int64_t counted_us = 0;  // silence counts from here
   };
 
-  void hear_of(const Key& key, std::int64_t now_us);
+  void renew(const Key& key, std::int64_t now_us);
   void follow(const std::vector<RunningProcess>& processes, std::int64_t now_us);
   bool is_silent(const Key& key, const Speaker& speaker, std::int64_t now_us);
   void count_anew(std::int64_t from_us);

@@ -110,16 +110,16 @@ void StackWatchNode::hear(const Datagram& datagram) {
   if (!message) return;
   const census::Heard heard =
       census::heard_of(message->channel, message->payload, message->size, message->message_size, when.wall_us);
-  recent_.hear(heard);
-  if (heard.session) silence_.hear_session(*heard.session, when.steady_us);
+  recent_.observe(heard);
+  if (heard.session) silence_.observe_session(*heard.session, when.steady_us);
   if (!message->whole) return;
   const auto word = census::word_in(message->channel, message->payload, message->size);
   if (!word) return;
-  recent_.hear(*word, when);
+  recent_.observe(*word, when);
   if (word->session == session_) {
-    silence_.hear_beacon(when.steady_us);
+    silence_.observe_beacon(when.steady_us);
   } else if (word->host == host_) {
-    silence_.hear_word(word->name, word->pid, word->session, when.steady_us);
+    silence_.observe_word(word->name, word->pid, word->session, when.steady_us);
   }
 }
 
@@ -208,7 +208,7 @@ void StackWatchNode::note_answer(Supervised answer) {
   }
   census::KnownProcesses known{host_, {}};
   for (const RunningProcess& process : supervised_.running) known.processes.insert({process.name, process.pid});
-  recent_.know(known);
+  recent_.observe(known);
 }
 
 std::string StackWatchNode::orphans() const {

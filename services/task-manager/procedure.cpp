@@ -47,8 +47,8 @@ class Step {
 };
 
 void Step::run() {
-  s_.arm_goals.hear(in_.servo.goal_id, in_.utime);
-  if (in_.base) s_.base_goals.hear(in_.base->goal_id, in_.utime);
+  s_.arm_goals.observe(in_.servo.goal_id, in_.utime);
+  if (in_.base) s_.base_goals.observe(in_.base->goal_id, in_.utime);
   watch_the_clock();
   watch_the_arm();
   watch_the_stop_devices();

@@ -24,7 +24,7 @@ BaseNode::BaseNode(bus::Bus& bus, Simulation& simulation, const std::vector<std:
   const auto await = [&](const auto& channel) {
     if (std::find(awaited.begin(), awaited.end(), channel.name) == awaited.end()) return;
     bus.on_each(channel, [this, name = channel.name](const auto& message) {
-      barrier_.note(name, message.odometry_session, message.odometry_seq);
+      barrier_.observe(name, message.odometry_session, message.odometry_seq);
     });
   };
   await(channels::kBaseStatus);
@@ -34,7 +34,7 @@ BaseNode::BaseNode(bus::Bus& bus, Simulation& simulation, const std::vector<std:
 void BaseNode::on_command(const BaseCommand& message) {
   const motion::CommandVerdict verdict = simulation_->command_base(
       {messages::stamp_of(message), message.odometry_session}, message.speed, message.turn_rate);
-  barrier_.note(channels::kBaseCommand.name, message.odometry_session, message.odometry_seq);
+  barrier_.observe(channels::kBaseCommand.name, message.odometry_session, message.odometry_seq);
   switch (verdict) {
     case motion::CommandVerdict::kObeyed:
     case motion::CommandVerdict::kLatched:      // commands go on while the base is stopped

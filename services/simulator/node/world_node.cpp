@@ -41,7 +41,7 @@ void WorldNode::await_channel(bus::Bus& bus, const std::string& channel) {
   const auto await = [&](const auto& awaited) {
     if (channel != awaited.name) return;
     bus.on_each(awaited, [this, channel](const auto& message) {
-      frame_barrier_.note(channel, message.frame_session, message.frame_seq);
+      frame_barrier_.observe(channel, message.frame_session, message.frame_seq);
     });
   };
   await(channels::kTaskState);
@@ -53,14 +53,14 @@ void WorldNode::await_channel(bus::Bus& bus, const std::string& channel) {
 
 void WorldNode::on_joint_command(const JointCommand& message) {
   const CommandAnswer answer = arm_.obey(message);
-  frame_barrier_.note(channels::kJointCommand.name, message.frame_session, message.frame_seq);
+  frame_barrier_.observe(channels::kJointCommand.name, message.frame_session, message.frame_seq);
   stops_.tell_of_a_latch();
   arm_.drop_unless_obeyed(message, answer);
 }
 
 void WorldNode::on_control(const SimControl& message) {
   if (message.kind == SimControl::STEP) {
-    frame_barrier_.note(channels::kSimControl.name, message.frame_session, message.frame_seq);
+    frame_barrier_.observe(channels::kSimControl.name, message.frame_session, message.frame_seq);
   } else {
     control_.hear(message);
   }

@@ -20,7 +20,7 @@ void Way::send(PhaseContext& context) {
   const Move& move = moves_[index_];
   progress_ = MoveProgress();
   progress_.since = context.now();
-  context.holding.tell(move.opening);
+  context.holding.observe_command(move.opening);
   Goal goal;
   goal.kind = move.hold ? GoalKind::kHold : GoalKind::kPosture;
   goal.q = move.q;

@@ -216,7 +216,7 @@ void ServoStateMachine::move_to_posture(State& state, Status& status) const {
 void ServoStateMachine::servo(const PoseSample& pose, State& state, Status& status) const {
   const Goal& goal = *state.followed.goal();
   const Sighting sighting =
-      state.marks.see(parameters_.marks, arm_, pose, state.joints.at(pose.utime), hand_name_, goal.target);
+      state.marks.observe(parameters_.marks, arm_, pose, state.joints.at(pose.utime), hand_name_, goal.target);
   status.settled = false;
   if (!sighting.lost.empty()) {
     decide(ServoState::kLost, sighting.lost, status);

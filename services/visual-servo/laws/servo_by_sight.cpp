@@ -168,7 +168,8 @@ LawAnswer ServoBySight::step(const LawInput& input, LawState& law_state) const {
                     seen_grip_point(arm_, sighting.q_exposure, sighting.p_CM),
                     input.p_CG_goal(),
                     tolerance_of(parameters_.convergence, input.goal.tolerance)};
-  state.bias.see(arm_, parameters_.bias, sighting.q_exposure, speed_at(input.joints, sighting.utime), sighting.p_CM);
+  state.bias.observe(arm_, parameters_.bias, sighting.q_exposure, speed_at(input.joints, sighting.utime),
+                     sighting.p_CM);
 
   LawAnswer answer;
   answer.error = frame.p_CG - frame.p_CG_goal;

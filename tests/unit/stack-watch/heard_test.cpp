@@ -32,7 +32,7 @@ TEST(RecentCensus, TellsRatesOverFiveToTenSeconds) {
       census::Heard message;
       message.channel = "POSE";
       message.utime = at(second).wall_us + i * kSecond_us / (second < 50 ? 2 : 30);
-      recent.hear(message);
+      recent.observe(message);
     }
     recent.tick(at(second + 1));
   }
@@ -45,7 +45,7 @@ TEST(RecentCensus, TellsRatesOverFiveToTenSeconds) {
 TEST(RecentCensus, KnowsSinceWhenAServiceIsAsItIs) {
   RecentCensus recent(at(0));
   for (int second = 0; second < 60; ++second) {
-    recent.hear(word(second < 40 ? "ready" : "stale", at(second)), at(second));
+    recent.observe(word(second < 40 ? "ready" : "stale", at(second)), at(second));
     recent.tick(at(second));
   }
   EXPECT_EQ(recent.state_since_us(word("stale", at(60))), at(40).wall_us);
@@ -54,7 +54,7 @@ TEST(RecentCensus, KnowsSinceWhenAServiceIsAsItIs) {
 
 TEST(RecentCensus, ForgetsWhoIsGone) {
   RecentCensus recent(at(0));
-  recent.hear(word("ready", at(0)), at(0));
+  recent.observe(word("ready", at(0)), at(0));
   for (int second = 1; second < 11; ++second) recent.tick(at(second));
   EXPECT_TRUE(recent.report(at(11)).services.empty());
   for (int second = 11; second < 80; ++second) recent.tick(at(second));
@@ -63,31 +63,31 @@ TEST(RecentCensus, ForgetsWhoIsGone) {
 
 TEST(RecentCensus, TakesNoMoreThanSoMuchOfAHostileWriter) {
   RecentCensus recent(at(0));
-  for (int pid = 0; pid < 20'000; ++pid) recent.hear(word("ready", at(0), pid), at(0));
+  for (int pid = 0; pid < 20'000; ++pid) recent.observe(word("ready", at(0), pid), at(0));
   EXPECT_LE(recent.report(at(1)).services.size(), 1024U);
 }
 
 TEST(RecentCensus, HasRoomForWhatTheSupervisorRunsInAFlood) {
   RecentCensus recent(at(0));
-  recent.know({"here", {{"visual-servo", 7}}});
+  recent.observe({"here", {{"visual-servo", 7}}});
   const auto flood = [&recent](int second) {
     for (int i = 0; i < 6'000; ++i) {
-      recent.hear(word("ready", at(second), 1000 + i), at(second));
+      recent.observe(word("ready", at(second), 1000 + i), at(second));
       census::Heard message;
       message.channel = "FLOOD_" + std::to_string(i);
       message.utime = at(second).wall_us;
       message.session = 5000 + i;
-      recent.hear(message);
+      recent.observe(message);
     }
   };
   for (int second = 0; second < 20; ++second) {
     flood(second);
-    recent.hear(word("ready", at(second)), at(second));
+    recent.observe(word("ready", at(second)), at(second));
     census::Heard message;
     message.channel = "SERVO_STATUS";
     message.utime = at(second).wall_us;
     message.session = 107;
-    recent.hear(message);
+    recent.observe(message);
     recent.tick(at(second));
   }
   const census::Report report = recent.report(at(20));
