@@ -6,7 +6,7 @@
 
 namespace markservo::motion {
 
-Arrival ArrivalOrder::judge(const Stamp& stamp) {
+Arrival ArrivalOrder::hear(const Stamp& stamp) {
   if (empty_) return take(stamp, Arrival::kNext);
   const bool number_grew = stamp.seq > last_.seq;
   if (stamp.utime > last_.utime && !number_grew) return out_of_turn(stamp, Arrival::kDouble);

@@ -38,7 +38,7 @@ class ArrivalOrder {
  public:
   explicit ArrivalOrder(ArrivalParameters parameters = {}) : parameters_(parameters) {}
 
-  Arrival judge(const Stamp& stamp);
+  Arrival hear(const Stamp& stamp);
 
   bool empty() const { return empty_; }
   // The newest one that was in turn; meaningless while empty.

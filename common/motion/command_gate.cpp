@@ -34,7 +34,7 @@ const char* describe(CommandVerdict verdict) {
   return "is unknown";
 }
 
-CommandVerdict CommandGate::offer(const OfferedCommand& command, std::int64_t now, bool latched) {
+CommandVerdict CommandGate::hear(const OfferedCommand& command, std::int64_t now, bool latched) {
   if (command.made_for != session_) return CommandVerdict::kOtherMover;
   released_at_ = std::min(released_at_, now);  // a clock that was set back
   const double age = seconds_between(command.stamp.utime, now);

@@ -19,15 +19,15 @@ Word DeviceTrust::hear_stop_state(const Stamp& stamp, bool latched) {
     const bool replaces = session_ != 0 && session_ != stamp.session;
     if (session_ != stamp.session) become(stamp);
     trusted_ = true;
-    judge_own(kStopState, stamp);
+    hear_own(kStopState, stamp);
     return replaces ? Word::kReplaced : Word::kTaken;
   }
-  if (stamp.session == session_) return judge_own(kStopState, stamp);
+  if (stamp.session == session_) return hear_own(kStopState, stamp);
   if (!conflict_.empty()) {
     hear_voice(stamp);
     if (spoke_alone()) {
       become(stamp);
-      judge_own(kStopState, stamp);
+      hear_own(kStopState, stamp);
       return Word::kReplaced;
     }
   }
@@ -37,18 +37,18 @@ Word DeviceTrust::hear_stop_state(const Stamp& stamp, bool latched) {
   formers_.push_back({session_, newest_utime_});
   if (formers_.size() > kFormers) formers_.pop_front();
   become(stamp);
-  judge_own(kStopState, stamp);
+  hear_own(kStopState, stamp);
   return Word::kReplaced;
 }
 
 Word DeviceTrust::hear_report(const std::string& channel, const Stamp& stamp) {
   if (session_ == 0) become(stamp);
-  if (stamp.session == session_) return judge_own(channel, stamp);
+  if (stamp.session == session_) return hear_own(channel, stamp);
   return not_own(channel, stamp, false);
 }
 
-Word DeviceTrust::judge_own(const std::string& channel, const Stamp& stamp) {
-  switch (orders_[channel].judge(stamp)) {
+Word DeviceTrust::hear_own(const std::string& channel, const Stamp& stamp) {
+  switch (orders_[channel].hear(stamp)) {
     case Arrival::kLate:
       return Word::kLate;
     case Arrival::kDouble:
@@ -56,7 +56,7 @@ Word DeviceTrust::judge_own(const std::string& channel, const Stamp& stamp) {
     case Arrival::kAnew:
       // The other channels' order and all times are of the former clock.
       orders_.clear();
-      orders_[channel].judge(stamp);
+      orders_[channel].hear(stamp);
       newest_utime_ = stamp.utime;
       hear_voice(stamp);
       return Word::kAnew;

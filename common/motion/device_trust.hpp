@@ -78,7 +78,7 @@ class DeviceTrust {
     std::int64_t newest_utime;  // us, of its last word while it was T
   };
 
-  Word judge_own(const std::string& channel, const Stamp& stamp);
+  Word hear_own(const std::string& channel, const Stamp& stamp);
   Word not_own(const std::string& channel, const Stamp& stamp, bool claims);
   Word conflict_with(const std::string& channel, std::int64_t session);
   void become(const Stamp& stamp);

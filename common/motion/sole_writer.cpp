@@ -16,7 +16,7 @@ Heard SoleWriter::hear(const Stamp& stamp, std::int64_t now) {
   if (now == 0) now = stamp.utime;
   if (session_ == 0) session_ = stamp.session;
   if (stamp.session != session_) return hear_another(stamp, now);
-  const Arrival arrival = order_.judge(stamp);
+  const Arrival arrival = order_.hear(stamp);
   if (arrival == Arrival::kLate) return Heard::kLate;
   heard_at_ = now;
   if (arrival == Arrival::kDouble) {
@@ -49,7 +49,7 @@ Heard SoleWriter::hear_another(const Stamp& stamp, std::int64_t now) {
   other_.reset();
   if (returns) other_ = former_;
   order_.forget();
-  order_.judge(stamp);
+  order_.hear(stamp);
   return returns ? Heard::kSecond : Heard::kAnew;
 }
 

@@ -19,7 +19,7 @@ void StopNode::hear(const StopRequest& message) {
   motion::StopRequestStamp request{{message.session, message.request_id, message.utime},
                                    message.kind == StopRequest::RESET,
                                    (message.source.empty() ? "someone" : message.source) + ": " + message.reason};
-  const motion::StopHeard heard = simulation_->request(request);
+  const motion::StopHeard heard = simulation_->hear_stop(request);
   if (heard == motion::StopHeard::kStale) messages::drop("RESET refused: " + simulation_->why_stale(request));
   if (heard != motion::StopHeard::kAgain) {
     logging::info("STOP {}: {}", simulation_->latch().latched() ? "latched" : "reset", simulation_->latch().reason());

@@ -18,14 +18,14 @@ class MotionControl {
 
   // A STOP or its reset. Released, they move by commands that answer a frame exposed after this, or an odometry told
   // after this.
-  motion::StopHeard request(const motion::StopRequestStamp& request, std::int64_t now);
+  motion::StopHeard hear_stop(const motion::StopRequestStamp& request, std::int64_t now);
   // By the simulation itself.
   void latch(const std::string& reason, std::int64_t now) { latch_.latch(reason, now); }
   const motion::StopLatch& stop() const { return latch_; }
 
   // What becomes of a command that comes now. Two writers of it latch.
-  motion::CommandVerdict offer_arm(const motion::OfferedCommand& command, std::int64_t now);
-  motion::CommandVerdict offer_base(const motion::OfferedCommand& command, std::int64_t now);
+  motion::CommandVerdict hear_arm(const motion::OfferedCommand& command, std::int64_t now);
+  motion::CommandVerdict hear_base(const motion::OfferedCommand& command, std::int64_t now);
 
   // True if the arm has had no command that it obeys for too long.
   bool arm_is_silent(std::int64_t now) const { return arm_.silent(now); }
@@ -35,7 +35,7 @@ class MotionControl {
   void note_odometry(std::int64_t now) { odometry_utime_ = now; }
 
  private:
-  motion::CommandVerdict offer(motion::CommandGate& gate, const motion::OfferedCommand& command, std::int64_t now);
+  motion::CommandVerdict hear(motion::CommandGate& gate, const motion::OfferedCommand& command, std::int64_t now);
 
   motion::StopLatch latch_{"the simulated world"};
   motion::CommandGate arm_;
