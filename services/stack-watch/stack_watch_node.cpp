@@ -61,7 +61,7 @@ void StackWatchNode::run() {
   std::int64_t spoken_us = 0;
   std::int64_t ticked_us = 0;
   while (!bus::told_to_end()) {
-    socket_.poll(kTick, [this](const Datagram& datagram) { hear(datagram); });
+    socket_.poll(kTick, [this](const Datagram& datagram) { on_datagram(datagram); });
     const std::int64_t steady_us = steady_clock_us();
     if (steady_us - ticked_us >= 1000 * kTick.count()) {
       ticked_us = steady_us;
@@ -94,7 +94,7 @@ void StackWatchNode::keep_bus() {
   }
 }
 
-void StackWatchNode::hear(const Datagram& datagram) {
+void StackWatchNode::on_datagram(const Datagram& datagram) {
   const Instant when = now();
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_crafted(datagram.data, datagram.size, datagram.size)) {

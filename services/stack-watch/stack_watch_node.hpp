@@ -62,7 +62,7 @@ class StackWatchNode {
     std::int64_t utime = 0;  // wall clock, us
   };
 
-  void hear(const Datagram& datagram);
+  void on_datagram(const Datagram& datagram);
   void tick();
   void speak();
   void keep_bus();

@@ -12,7 +12,7 @@ namespace markservo::simulator {
 StopNode::StopNode(bus::Bus& bus, Simulation& simulation, const RunState& run)
     : simulation_(&simulation), run_(&run), states_(bus.advertise(channels::kStopState)) {}
 
-void StopNode::hear(const StopRequest& message) {
+void StopNode::on_stop(const StopRequest& message) {
   if (message.kind != StopRequest::STOP && message.kind != StopRequest::RESET) {
     messages::drop("kind is " + std::to_string(message.kind) + "; allowed: 0 (stop) or 1 (reset)");
   }
