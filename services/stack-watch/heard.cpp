@@ -28,7 +28,7 @@ void RecentCensus::observe(const census::ServiceWord& word, Instant now) {
   state.heard_us = now.steady_us;
 }
 
-void RecentCensus::tick(Instant now) {
+void RecentCensus::step(Instant now) {
   if (now.steady_us - turned_us_ < kSpan_us) return;
   turned_us_ = now.steady_us;
   older_ = std::exchange(newer_, census::Census(now.wall_us));

@@ -31,7 +31,7 @@ class RecentCensus {
   void observe(const census::Heard& message);
   void observe(const census::ServiceWord& word, Instant now);
   // To be called once a second at least.
-  void tick(Instant now);
+  void step(Instant now);
 
   census::Report report(Instant now) const { return older_.report(now.wall_us); }
   // When the process began to be in the state that it is in, us of the wall clock; nothing where it was not heard.

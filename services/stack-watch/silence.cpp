@@ -50,10 +50,10 @@ void SilenceWatch::observe_beacon(std::int64_t now_us) {
   if (!beacons_.empty()) beacons_.back() = true;
 }
 
-std::vector<SilentService> SilenceWatch::tick(const std::vector<RunningProcess>& processes, std::int64_t now_us) {
+std::vector<SilentService> SilenceWatch::step(const std::vector<RunningProcess>& processes, std::int64_t now_us) {
   follow(processes, now_us);
-  if (ticked_us_ >= 0 && now_us - ticked_us_ > parameters_.leap_us) count_anew(now_us);
-  ticked_us_ = now_us;
+  if (stepped_us_ >= 0 && now_us - stepped_us_ > parameters_.leap_us) count_anew(now_us);
+  stepped_us_ = now_us;
   std::vector<SilentService> silent;
   if (bus_is_gone() || heard_no_beacon_) return silent;
   for (auto& [key, speaker] : speakers_) {

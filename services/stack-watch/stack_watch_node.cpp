@@ -59,13 +59,13 @@ StackWatchNode::~StackWatchNode() {
 void StackWatchNode::run() {
   keep_bus();
   std::int64_t spoken_us = 0;
-  std::int64_t ticked_us = 0;
+  std::int64_t stepped_us = 0;
   while (!bus::told_to_end()) {
     socket_.poll(kTick, [this](const Datagram& datagram) { on_datagram(datagram); });
     const std::int64_t steady_us = steady_clock_us();
-    if (steady_us - ticked_us >= 1000 * kTick.count()) {
-      ticked_us = steady_us;
-      tick();
+    if (steady_us - stepped_us >= 1000 * kTick.count()) {
+      stepped_us = steady_us;
+      step();
     }
     if (steady_us - spoken_us < kSecond_us) continue;
     spoken_us = steady_us;
@@ -123,13 +123,13 @@ void StackWatchNode::on_datagram(const Datagram& datagram) {
   }
 }
 
-void StackWatchNode::tick() {
+void StackWatchNode::step() {
   std::vector<SilentService> silent;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const Instant when = now();
-    recent_.tick(when);
-    silent = silence_.tick(supervised_.running, when.steady_us);
+    recent_.step(when);
+    silent = silence_.step(supervised_.running, when.steady_us);
   }
   for (const SilentService& service : silent) kill_if_supervised(service);
 }

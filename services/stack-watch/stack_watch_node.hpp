@@ -63,7 +63,7 @@ class StackWatchNode {
   };
 
   void on_datagram(const Datagram& datagram);
-  void tick();
+  void step();
   void speak();
   void keep_bus();
   void kill_if_supervised(const SilentService& silent);

@@ -74,7 +74,7 @@ void Step::enter(Transition transition) {
 }
 
 void Step::watch_the_clock() {
-  const TaskClock::Tick tick = s_.clock.tick(in_.utime);
+  const TaskClock::Tick tick = s_.clock.advance(in_.utime);
   if (tick.set_back) s_.servo = ServoWatch();
   if (!under_way(phase())) return;
   if (tick.set_back) enter(stopped("the clock of SERVO_STATUS was set back"));

@@ -25,7 +25,7 @@ GuardedTurn turn_on_spot(const PathGuard& guard, const Situation& situation, dou
 class TurningRoom {
  public:
   // One step away from what blocks `turn`; nothing where that is not possible. `corrections`: made at the goal so far.
-  std::optional<Advice> make(const TurnParameters& parameters, const PathGuard& guard, const Situation& situation,
+  std::optional<Advice> step(const TurnParameters& parameters, const PathGuard& guard, const Situation& situation,
                              double clearance, const GuardedTurn& turn, int corrections);
 
   // For every step, `turning` or not: all the way since the last one counts, also what it rolls on before it tries to

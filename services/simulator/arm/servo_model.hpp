@@ -30,7 +30,7 @@ class ServoModel {
   void freeze() { target_ = ramp_; }
 
   // Lets `dt` (s) pass.
-  void advance(const ServoParameters& parameters, double dt);
+  void step(const ServoParameters& parameters, double dt);
 
   double target() const { return target_; }
   double ramp() const { return ramp_; }                // rad, what is commanded to the servo now

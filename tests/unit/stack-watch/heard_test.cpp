@@ -34,7 +34,7 @@ TEST(RecentCensus, TellsRatesOverFiveToTenSeconds) {
       message.utime = at(second).wall_us + i * kSecond_us / (second < 50 ? 2 : 30);
       recent.observe(message);
     }
-    recent.tick(at(second + 1));
+    recent.step(at(second + 1));
   }
   const census::Report report = recent.report(at(100));
   EXPECT_GE(report.listened_s, 5.0);
@@ -46,7 +46,7 @@ TEST(RecentCensus, KnowsSinceWhenAServiceIsAsItIs) {
   RecentCensus recent(at(0));
   for (int second = 0; second < 60; ++second) {
     recent.observe(word(second < 40 ? "ready" : "stale", at(second)), at(second));
-    recent.tick(at(second));
+    recent.step(at(second));
   }
   EXPECT_EQ(recent.state_since_us(word("stale", at(60))), at(40).wall_us);
   EXPECT_EQ(recent.state_since_us(word("ready", at(60), 8)), std::nullopt);
@@ -55,9 +55,9 @@ TEST(RecentCensus, KnowsSinceWhenAServiceIsAsItIs) {
 TEST(RecentCensus, ForgetsWhoIsGone) {
   RecentCensus recent(at(0));
   recent.observe(word("ready", at(0)), at(0));
-  for (int second = 1; second < 11; ++second) recent.tick(at(second));
+  for (int second = 1; second < 11; ++second) recent.step(at(second));
   EXPECT_TRUE(recent.report(at(11)).services.empty());
-  for (int second = 11; second < 80; ++second) recent.tick(at(second));
+  for (int second = 11; second < 80; ++second) recent.step(at(second));
   EXPECT_EQ(recent.state_since_us(word("ready", at(0))), std::nullopt);
 }
 
@@ -88,7 +88,7 @@ TEST(RecentCensus, HasRoomForWhatTheSupervisorRunsInAFlood) {
     message.utime = at(second).wall_us;
     message.session = 107;
     recent.observe(message);
-    recent.tick(at(second));
+    recent.step(at(second));
   }
   const census::Report report = recent.report(at(20));
   const auto own = std::find_if(report.services.begin(), report.services.end(),

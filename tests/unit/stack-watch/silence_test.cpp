@@ -33,7 +33,7 @@ class Stack {
         if (phase.bus && phase.locator) watch.observe_word("target-locator", 8, kSession + 1, now_us);
         if (phase.bus) watch.observe_beacon(now_us);
       }
-      for (const SilentService& silent : watch.tick(processes, now_us)) told.push_back(silent);
+      for (const SilentService& silent : watch.step(processes, now_us)) told.push_back(silent);
     }
   }
 
