@@ -47,7 +47,7 @@ void Localizer::lose(const std::string& why) {
 
 void Localizer::begin_anew(const std::string& why) {
   last_round_.reset();
-  paper_.restart();
+  paper_.forget();
   paper_estimate_.reset();
   lose(why);
 }
@@ -65,7 +65,7 @@ void Localizer::observe(const EncoderReading& reading) {
       refuse_time("WHEEL_ODOMETRY", reading.utime, history_.newest());
     }
     // Another driver, or a clock that was set back: all that was known belongs to another time.
-    history_.clear();
+    history_.forget();
     counters_.forget();
     begin_anew("WHEEL_ODOMETRY began anew at an earlier time");
   }

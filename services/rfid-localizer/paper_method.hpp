@@ -45,7 +45,7 @@ class PaperMethod {
   // averages' own way. Nothing when no tag was read.
   std::optional<PaperEstimate> observe(std::int64_t utime, const std::vector<Eigen::Vector2d>& tags,
                                        const std::optional<double>& speed);
-  void restart();
+  void forget();
 
  private:
   double own_speed() const;

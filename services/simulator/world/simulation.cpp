@@ -46,7 +46,7 @@ void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
   settings_ = settings;
   seed_ = seed;
   control_.latch("the world was reset", utime());
-  delayed_.clear();
+  delayed_.forget();
   path_.forget();
   time_.leap(kResetPause_us);
   exposures_.restart(settings_.frames.rate_hz, time_.steps());
@@ -75,7 +75,7 @@ void Simulation::freeze() {
 }
 
 void Simulation::freeze_arm() {
-  delayed_.clear();
+  delayed_.forget();
   path_.forget();
   world_.freeze();
 }

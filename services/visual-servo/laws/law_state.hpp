@@ -16,10 +16,10 @@ struct LawState {
   // Pictures of another writer: what was learned by sight is forgotten. The paper's law learns nothing.
   void forget_pictures() { sight = SightState(); }
   // Hand or target is not seen now: nothing is averaged over that. The paper's law counts on when they are back.
-  void lose_sight() { sight.window.clear(); }
+  void lose_sight() { sight.window.forget(); }
   // The goal's sender is silent, so that nothing is done for it now.
   void pause() {
-    sight.window.clear();
+    sight.window.forget();
     paper = PaperState();
   }
 };

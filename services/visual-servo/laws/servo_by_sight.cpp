@@ -55,7 +55,7 @@ void refine_entry(const Frame& frame, SightState& state) {
 void finish_entry(const Frame& frame, SightState& state, LawAnswer& answer) {
   if (state.corrections == 0) refine_entry(frame, state);
   answer.step.change = state.final - frame.q_command;
-  state.window.clear();
+  state.window.forget();
   state.phase = Phase::kSettle;
 }
 
@@ -148,7 +148,7 @@ void stay_converged(const Frame& frame, SightState& state, LawAnswer& answer) {
   if (!answer.converged) {
     state.phase = Phase::kSettle;
     state.corrections = 0;
-    state.window.clear();
+    state.window.forget();
   }
 }
 

@@ -94,7 +94,7 @@ TEST(SettledWindow, RemembersMoreFramesOnlyWhileInDoubt) {
   for (int i = 0; i < 4; ++i) window.add(parameters, Eigen::Vector3d::Zero());
   EXPECT_EQ(window.size(), 8);
   EXPECT_NEAR(window.mean().x(), 0.000075, 1e-9);
-  window.clear();
+  window.forget();
   for (int i = 0; i < 6; ++i) window.add(parameters, Eigen::Vector3d::Zero());
   EXPECT_EQ(window.size(), 4);
 }
