@@ -25,7 +25,7 @@ class FollowedGoal {
   // Likewise, since something began anew; `why` for people.
   void drop(const std::string& why);
   // `now` (us) is the first time that is known: a goal that came before it is judged, so that none waits for its hour.
-  void judge_by_first_time(std::int64_t now, double age);
+  void end_unless_fresh(std::int64_t now, double age);
 
   const std::optional<Goal>& goal() const { return goal_; }
   // Nothing is to move: there is none, or one that says so.

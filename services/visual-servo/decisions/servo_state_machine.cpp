@@ -43,7 +43,7 @@ bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
   if (!sample.position.allFinite() || !std::isfinite(sample.gripper_opening)) return false;
   const bool first = state.joints.empty();
   if (state.joints.add(sample, servo_speeds(arm_))) state.command.require_adoption();
-  if (first) state.followed.judge_by_first_time(sample.utime, parameters_.goal_age);
+  if (first) state.followed.end_unless_fresh(sample.utime, parameters_.goal_age);
   const bool obeying = state.command.begun() && !state.command.adoption_due() && state.permit.released();
   state.gripper.observe(sample, obeying);
   return true;
@@ -109,7 +109,7 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
     decide(ServoState::kStale, stale, status);
   } else if (const std::string goal_stale = state.followed.why_stale(state.joints.newest().utime, parameters_.goal_age);
              !goal_stale.empty()) {
-    state.law.pause();
+    state.law.interrupt();
     slow_down(state);
     state.gripper.adopt(arm_.gripper, state.joints.newest());
     decide(ServoState::kStale, goal_stale, status);

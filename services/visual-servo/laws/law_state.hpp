@@ -18,7 +18,7 @@ struct LawState {
   // Hand or target is not seen now: nothing is averaged over that. The paper's law counts on when they are back.
   void lose_sight() { sight.window.forget(); }
   // The goal's sender is silent, so that nothing is done for it now.
-  void pause() {
+  void interrupt() {
     sight.window.forget();
     paper = PaperState();
   }

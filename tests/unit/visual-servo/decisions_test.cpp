@@ -64,11 +64,11 @@ TEST(FollowedGoal, ARefusalIsOfOneGoal) {
 TEST(FollowedGoal, OneHeardBeforeAnyTimeIsJudgedByTheFirst) {
   FollowedGoal fresh;
   fresh.observe(goal_at(kNow), 0, kAge_s, false);
-  fresh.judge_by_first_time(kNow + 300'000, kAge_s);
+  fresh.end_unless_fresh(kNow + 300'000, kAge_s);
   EXPECT_TRUE(fresh.goal());
   FollowedGoal old;
   old.observe(goal_at(kNow), 0, kAge_s, false);
-  old.judge_by_first_time(kNow + 3'000'000, kAge_s);
+  old.end_unless_fresh(kNow + 3'000'000, kAge_s);
   EXPECT_FALSE(old.goal());
   EXPECT_EQ(old.observe(goal_at(kNow + 3'000'000), kNow + 3'000'000, kAge_s, false), motion::GoalHeard::kEnded);
 }

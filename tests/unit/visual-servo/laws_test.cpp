@@ -109,7 +109,7 @@ TEST_F(PaperLawOfARobot, CountsOnAfterALostMarkAndAnewAfterASilentSender) {
   for (int i = 0; i < 3; ++i) frame();
   state_.lose_sight();
   EXPECT_TRUE(frame().converged);
-  state_.pause();
+  state_.interrupt();
   EXPECT_FALSE(frame().converged);
 }
 
