@@ -47,7 +47,7 @@ class ArrivalOrder {
   void forget() { *this = ArrivalOrder(parameters_); }
 
  private:
-  Arrival take(const Stamp& stamp, Arrival arrival);
+  Arrival accept(const Stamp& stamp, Arrival arrival);
   Arrival out_of_turn(const Stamp& stamp, Arrival verdict);
   bool taken_otherwise(const Stamp& stamp) const;
 

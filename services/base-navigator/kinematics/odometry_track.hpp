@@ -51,7 +51,7 @@ class OdometryTrack {
     geometry::PlanePose X_OR;
   };
 
-  std::string take(const OdometryParameters& parameters, const OdometrySample& sample);
+  std::string accept(const OdometryParameters& parameters, const OdometrySample& sample);
   void begin(const OdometrySample& sample);
   void measure_speed(const OdometryParameters& parameters);
 

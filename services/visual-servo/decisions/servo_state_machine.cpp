@@ -151,7 +151,7 @@ std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& st
 
 void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status& status) const {
   const JointSample& now = state.joints.newest();
-  status.reason = take_lost_arm(state);
+  status.reason = adopt_lost_arm(state);
   status.settled = state.command.at_rest_since(parameters_.sight.settling, state.joints).has_value();
   if (!state.followed.goal()) {
     status.state = ServoState::kHold;
@@ -182,11 +182,11 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
   }
 }
 
-std::string ServoStateMachine::take_lost_arm(State& state) const {
+std::string ServoStateMachine::adopt_lost_arm(State& state) const {
   const JointVector& q_now = state.joints.newest().position;
   const bool elsewhere = (q_now - state.command.position()).cwiseAbs().maxCoeff() > parameters_.lost_arm;
   if (!elsewhere || !state.command.at_rest_since(parameters_.sight.settling, state.joints)) return "";
-  if (!state.lost.take(state.followed.holds())) return "the arm does not rest where it is told to";
+  if (!state.lost.adopts(state.followed.holds())) return "the arm does not rest where it is told to";
   adopt_joints(state);
   return "";
 }

@@ -77,7 +77,7 @@ class ServoStateMachine {
   std::string why_stale(const PoseSample& pose, const State& state) const;
   void follow_goal(const PoseSample& pose, State& state, Status& status) const;
   // Why an arm that rests elsewhere is left there; empty when it does not, or has been taken where it is.
-  std::string take_lost_arm(State& state) const;
+  std::string adopt_lost_arm(State& state) const;
   void slow_down(State& state) const;
   void move(const ArmStep& step, State& state, Status& status) const;
   void move_to_posture(State& state, Status& status) const;

@@ -88,19 +88,19 @@ TEST(FollowedGoal, HoldsWithoutAGoalAndByOneThatSaysSo) {
 
 TEST(LostArm, IsTakenOnceWhileItHolds) {
   LostArm lost;
-  EXPECT_TRUE(lost.take(true));
-  EXPECT_FALSE(lost.take(true));
-  EXPECT_FALSE(lost.take(true));
+  EXPECT_TRUE(lost.adopts(true));
+  EXPECT_FALSE(lost.adopts(true));
+  EXPECT_FALSE(lost.adopts(true));
   lost.forget();
-  EXPECT_TRUE(lost.take(true)) << "by another goal";
+  EXPECT_TRUE(lost.adopts(true)) << "by another goal";
 }
 
 TEST(LostArm, IsTakenEachTimeWhileItIsToMove) {
   LostArm lost;
-  EXPECT_TRUE(lost.take(true));
-  EXPECT_TRUE(lost.take(false));
-  EXPECT_TRUE(lost.take(false));
-  EXPECT_TRUE(lost.take(true)) << "it moved in between";
+  EXPECT_TRUE(lost.adopts(true));
+  EXPECT_TRUE(lost.adopts(false));
+  EXPECT_TRUE(lost.adopts(false));
+  EXPECT_TRUE(lost.adopts(true)) << "it moved in between";
 }
 
 TEST(MotionPermit, IsNotGivenBeforeTheArmHasSpoken) {
