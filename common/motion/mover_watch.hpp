@@ -1,7 +1,7 @@
 #pragma once
 
 // What a reader knows of one thing that moves and of all that leads to its motion: whose word counts, how its stop
-// stands, what time it is, and whether two claim to be one. Then nothing may move: blocked() says why, and stop_due()
+// stands, what time it is, and whether two claim to be one. Then nothing may move: conflict() says why, and stop_due()
 // gives the STOP to send, until a later RESET finds one alone.
 
 #include <cstdint>
@@ -45,7 +45,7 @@ class MoverWatch {
   const std::string& stop_reason() const { return stop_reason_; }
 
   // Why nothing may move though no stop is latched: two claim to be one. Empty when none do.
-  const std::string& blocked() const { return guard_.why(); }
+  const std::string& conflict() const { return guard_.why(); }
   // The STOP to send now.
   std::optional<StopWish> stop_due() { return guard_.due(now()); }
 

@@ -127,7 +127,7 @@ void BaseNavigatorNode::on_pose(const RobotPose& pose) {
 
 // What two that claim to be one lead to.
 void BaseNavigatorNode::after_input() {
-  state_.enable.observe_conflict(base_->blocked());
+  state_.enable.observe_conflict(base_->conflict());
   if (const auto wish = base_->stop_due()) {
     StopRequest stop = messages::stop_request(*wish, base_->now(), bus_->session(), "base-navigator");
     stops_->publish(stop);

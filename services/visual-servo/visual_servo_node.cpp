@@ -155,7 +155,7 @@ void VisualServoNode::on_pose(const TargetPose& pose) {
 
 // What two that claim to be one lead to.
 void VisualServoNode::after_input() {
-  state_.permit.block(arm_->blocked());
+  state_.enable.observe_conflict(arm_->conflict());
   if (const auto wish = arm_->stop_due()) {
     StopRequest stop = messages::stop_request(*wish, arm_->now(), bus_->session(), "visual-servo");
     stops_->publish(stop);

@@ -49,8 +49,8 @@ StopReport StopDevices::report(std::int64_t now) {
     const auto found = movers_.find(device);
     if (found == movers_.end()) continue;
     const motion::MoverWatch& mover = found->second;
-    if (!mover.blocked().empty()) {
-      tell_latched(report, device, mover.blocked());
+    if (!mover.conflict().empty()) {
+      tell_latched(report, device, mover.conflict());
     } else if (mover.latched().value_or(false)) {
       tell_latched(report, device, mover.stop_reason());
     }

@@ -44,14 +44,14 @@ bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
   const bool first = state.joints.empty();
   if (state.joints.add(sample, servo_speeds(arm_))) state.command.require_adoption();
   if (first) state.followed.end_unless_fresh(sample.utime, parameters_.goal_age);
-  const bool obeying = state.command.begun() && !state.command.adoption_due() && state.permit.released();
+  const bool obeying = state.command.begun() && !state.command.adoption_due() && state.enable.released();
   state.gripper.observe(sample, obeying);
   return true;
 }
 
 motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) const {
   const std::int64_t now = state.joints.empty() ? 0 : state.joints.newest().utime;
-  const auto heard = state.followed.observe(goal, now, parameters_.goal_age, state.permit.latched());
+  const auto heard = state.followed.observe(goal, now, parameters_.goal_age, state.enable.latched());
   if (heard != motion::GoalHeard::kNew) return heard;
   state.followed.refuse(why_goal_is_refused(robot_, goal));
   state.lost.forget();
@@ -62,8 +62,8 @@ motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) con
 
 void ServoStateMachine::observe_stop(bool latched, const std::string& reason, State& state) const {
   // Even if the reset comes before the next picture: what was commanded before the stop must not be resumed.
-  if (latched || state.permit.latched()) state.command.require_adoption();
-  state.permit.observe_stop(latched, reason);
+  if (latched || state.enable.latched()) state.command.require_adoption();
+  state.enable.observe_stop(latched, reason);
   if (latched) state.followed.end();
 }
 
@@ -94,16 +94,16 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
   // One picture with an impossible time must not make all that follow look old.
   if (stale.empty()) advance_time(pose, state);
 
-  if (!state.permit.blocked().empty()) {
+  if (!state.enable.conflict().empty()) {
     state.command.hold();
     state.gripper.adopt(arm_.gripper, state.joints.newest());
-    decide(ServoState::kStopped, state.permit.blocked(), status);
-  } else if (!state.permit.released()) {
+    decide(ServoState::kStopped, state.enable.conflict(), status);
+  } else if (!state.enable.released()) {
     state.command.hold();
     // A stopped arm rests short of its command: begin from there.
     if (state.joints.newest().position != state.command.position()) adopt_joints(state);
     state.gripper.adopt(arm_.gripper, state.joints.newest());
-    decide(ServoState::kStopped, state.permit.why_stopped(), status);
+    decide(ServoState::kStopped, state.enable.why_stopped(), status);
   } else if (!stale.empty()) {
     state.command.hold();
     decide(ServoState::kStale, stale, status);

@@ -12,7 +12,7 @@
 #include "services/visual-servo/arm/joint_history.hpp"
 #include "services/visual-servo/decisions/followed_goal.hpp"
 #include "services/visual-servo/decisions/lost_arm.hpp"
-#include "services/visual-servo/decisions/motion_permit.hpp"
+#include "services/visual-servo/decisions/motion_enable.hpp"
 #include "services/visual-servo/decisions/picture_clock.hpp"
 #include "services/visual-servo/laws/law_state.hpp"
 #include "services/visual-servo/laws/posture_motion.hpp"
@@ -42,7 +42,7 @@ struct Parameters {
 // All memory between messages.
 struct State {
   JointHistory joints;
-  MotionPermit permit;
+  MotionEnable enable;
   FollowedGoal followed;
   LostArm lost;
   PictureClock pictures;

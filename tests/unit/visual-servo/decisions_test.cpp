@@ -4,7 +4,7 @@
 
 #include "services/visual-servo/decisions/followed_goal.hpp"
 #include "services/visual-servo/decisions/lost_arm.hpp"
-#include "services/visual-servo/decisions/motion_permit.hpp"
+#include "services/visual-servo/decisions/motion_enable.hpp"
 #include "services/visual-servo/decisions/picture_clock.hpp"
 
 namespace markservo::visual_servo::test {
@@ -103,19 +103,19 @@ TEST(LostArm, IsTakenEachTimeWhileItIsToMove) {
   EXPECT_TRUE(lost.adopts(true)) << "it moved in between";
 }
 
-TEST(MotionPermit, IsNotGivenBeforeTheArmHasSpoken) {
-  MotionPermit permit;
-  EXPECT_FALSE(permit.released());
-  EXPECT_FALSE(permit.latched());
-  EXPECT_EQ(permit.why_stopped(), "no STOP_STATE of the arm yet");
-  permit.observe_stop(true, "");
-  EXPECT_TRUE(permit.latched());
-  EXPECT_EQ(permit.why_stopped(), "STOP is latched");
-  permit.observe_stop(true, "button");
-  EXPECT_EQ(permit.why_stopped(), "button");
-  permit.observe_stop(false, "");
-  EXPECT_TRUE(permit.released());
-  EXPECT_EQ(permit.why_stopped(), "");
+TEST(MotionEnable, IsNotGivenBeforeTheArmHasSpoken) {
+  MotionEnable enable;
+  EXPECT_FALSE(enable.released());
+  EXPECT_FALSE(enable.latched());
+  EXPECT_EQ(enable.why_stopped(), "no STOP_STATE of the arm yet");
+  enable.observe_stop(true, "");
+  EXPECT_TRUE(enable.latched());
+  EXPECT_EQ(enable.why_stopped(), "STOP is latched");
+  enable.observe_stop(true, "button");
+  EXPECT_EQ(enable.why_stopped(), "button");
+  enable.observe_stop(false, "");
+  EXPECT_TRUE(enable.released());
+  EXPECT_EQ(enable.why_stopped(), "");
 }
 
 TEST(PictureClock, TellsTheNextPictureFromOneAfterAGapAndOneOfAnotherWriter) {
