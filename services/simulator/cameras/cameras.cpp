@@ -11,7 +11,7 @@ ImagePair Cameras::show(const Simulation& simulation) {
   ImagePair images = renderer_.render(simulation.world());
   apply_effects(simulation.effects(), simulation.noise_seed_of(0), images.left);
   apply_effects(simulation.effects(), simulation.noise_seed_of(1), images.right);
-  return lying_.show(simulation.settings().faults, std::move(images));
+  return faults_.apply(simulation.settings().faults, std::move(images));
 }
 
 }  // namespace markservo::simulator

@@ -2,7 +2,7 @@
 
 #include "services/simulator/cameras/image_pair.hpp"
 #include "services/simulator/cameras/stereo_renderer.hpp"
-#include "services/simulator/faults/lying_sensors.hpp"
+#include "services/simulator/faults/sensor_faults.hpp"
 
 namespace markservo::simulator {
 
@@ -17,7 +17,7 @@ class Cameras {
 
  private:
   StereoRenderer renderer_;
-  LyingSensors lying_;
+  SensorFaults faults_;
 };
 
 }  // namespace markservo::simulator

@@ -31,7 +31,7 @@ void ArmNode::drop_unless_obeyed(const JointCommand& message, const CommandAnswe
 }
 
 void ArmNode::publish() {
-  JointState message = joint_state_message(lying_.tell(simulation_->settings().faults, simulation_->world().arm()));
+  JointState message = joint_state_message(faults_.apply(simulation_->settings().faults, simulation_->world().arm()));
   message.utime = simulation_->utime();
   states_.publish(message);
 }

@@ -5,7 +5,7 @@
 #include <markservo/channels.hpp>
 
 #include "common/bus/bus.hpp"
-#include "services/simulator/faults/lying_sensors.hpp"
+#include "services/simulator/faults/sensor_faults.hpp"
 #include "services/simulator/world/simulation.hpp"
 
 namespace markservo::simulator {
@@ -25,7 +25,7 @@ class ArmNode {
  private:
   Simulation* simulation_;
   bus::Publisher<JointState> states_;
-  LyingSensors lying_;
+  SensorFaults faults_;
 };
 
 }  // namespace markservo::simulator

@@ -57,7 +57,7 @@ bool BaseNode::publish_due() {
   }
   if (!due.odometry) return false;
   const int counter_bits = simulation_->robot().base->counter_bits;
-  odometry_ = odometry_message(lying_.tell(simulation_->settings().faults, counter_bits, *due.odometry));
+  odometry_ = odometry_message(faults_.apply(simulation_->settings().faults, counter_bits, *due.odometry));
   publish_odometry();
   barrier_.expect(odometries_.session(), odometry_seq_);
   return true;
