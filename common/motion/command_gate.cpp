@@ -42,14 +42,14 @@ CommandVerdict CommandGate::hear(const OfferedCommand& command, std::int64_t now
   if (-age > parameters_.ahead) return CommandVerdict::kAhead;
   if (age > parameters_.life) return CommandVerdict::kStale;
   switch (writer_.hear(command.stamp, now)) {
-    case Heard::kSecond:
+    case StreamHeard::kSecond:
       return CommandVerdict::kTwoWriters;
-    case Heard::kLate:
+    case StreamHeard::kLate:
       return latched ? CommandVerdict::kLatched : CommandVerdict::kOutOfOrder;
-    case Heard::kWaits:
+    case StreamHeard::kWaits:
       return latched ? CommandVerdict::kLatched : CommandVerdict::kWaits;
-    case Heard::kTaken:
-    case Heard::kAnew:
+    case StreamHeard::kTaken:
+    case StreamHeard::kAnew:
       break;
   }
   if (latched) return CommandVerdict::kLatched;

@@ -16,8 +16,8 @@
 namespace markservo::motion {
 
 // A few words for people: why what was heard is dropped; empty when it is not.
-std::string why_dropped(Word word);
-std::string why_dropped(Heard heard);
+std::string why_dropped(ReportHeard heard);
+std::string why_dropped(StreamHeard heard);
 
 class MoverWatch {
  public:
@@ -27,12 +27,12 @@ class MoverWatch {
   const std::string& device() const { return device_; }
 
   // The device's STOP_STATE.
-  Word hear_stop_state(const Stamp& stamp, bool latched, const std::string& reason);
+  ReportHeard hear_stop_state(const Stamp& stamp, bool latched, const std::string& reason);
   // What the device itself reports: JOINT_STATE; WHEEL_ODOMETRY, SONAR_SCAN.
-  Word hear_report(const std::string& channel, const Stamp& stamp);
+  ReportHeard hear_report(const std::string& channel, const Stamp& stamp);
   // What others tell that its motion is decided by: TARGET_POSE, ROBOT_POSE. Of another writer than the present one
   // only what is of now counts.
-  Heard hear_stream(const std::string& channel, const Stamp& stamp);
+  StreamHeard hear_stream(const std::string& channel, const Stamp& stamp);
   // Two were found by other means.
   void raise(const std::string& why) { guard_.raise(why); }
 

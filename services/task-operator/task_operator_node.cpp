@@ -127,8 +127,8 @@ void TaskOperatorNode::on_stop_state(const StopState& state) {
 }
 
 void TaskOperatorNode::on_task_state(const TaskState& state) {
-  const motion::Heard heard = task_.hear(messages::stamp_of(state), 0);
-  if (heard == motion::Heard::kSecond) dialogue_->observe_conflict(task_.words());
+  const motion::StreamHeard heard = task_.hear(messages::stamp_of(state), 0);
+  if (heard == motion::StreamHeard::kSecond) dialogue_->observe_conflict(task_.words());
   messages::drop(motion::why_dropped(heard));
   sender_->observe_task_state(state.utime);
   TaskReport report;

@@ -29,8 +29,8 @@ class StopDevices {
   bool has(const std::string& device) const;
   motion::MoverWatch& watch(const std::string& device);
 
-  motion::Word hear_stop_state(const std::string& device, const motion::Stamp& stamp, bool latched,
-                               const std::string& reason);
+  motion::ReportHeard hear_stop_state(const std::string& device, const motion::Stamp& stamp, bool latched,
+                                      const std::string& reason);
 
   // At `now` (us); begins anew with what is latched meanwhile.
   StopReport report(std::int64_t now);

@@ -73,7 +73,7 @@ TEST_F(Watched, ARestartedArmIsNoConflict) {
 
 TEST_F(Watched, AStrangersReportsAreNamedForASecond) {
   run(200);
-  EXPECT_EQ(watch_.hear_report("JOINT_STATE", {33, 1, kStart}), Word::kForeign);
+  EXPECT_EQ(watch_.hear_report("JOINT_STATE", {33, 1, kStart}), ReportHeard::kForeign);
   EXPECT_EQ(watch_.stranger(), "another writes for the arm: session 33 is not heard, 11 is");
   run(320);
   EXPECT_EQ(watch_.stranger(), "");
@@ -84,16 +84,16 @@ TEST_F(Watched, AnOldRecordingIsNoSecondWriter) {
   run(200);
   const std::int64_t now = watch_.now();
   watch_.hear_stream("TARGET_POSE", {5, 1, now});
-  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {6, 1, now - 216'000'000}), Heard::kLate);
-  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 2, now + 1}), Heard::kTaken);
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {6, 1, now - 216'000'000}), StreamHeard::kLate);
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 2, now + 1}), StreamHeard::kTaken);
 }
 
 TEST_F(Watched, TwoPictureWritersBlockToo) {
   run(200);
   const std::int64_t now = watch_.now();
-  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 1, now}), Heard::kTaken);
-  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {6, 1, now + 1}), Heard::kWaits);
-  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 2, now + 2}), Heard::kSecond);
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 1, now}), StreamHeard::kTaken);
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {6, 1, now + 1}), StreamHeard::kWaits);
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 2, now + 2}), StreamHeard::kSecond);
   EXPECT_EQ(watch_.conflict(), "two write TARGET_POSE: sessions 5 and 6");
 }
 
