@@ -100,10 +100,11 @@ class Bus final : private SubscriptionHost, private MessageSink {
   // this.
   void report_also(const Bus& other, std::string prefix);
 
-  // The service's own word for how it is; published at once when it changes. While the bus knows of something that
-  // keeps the service from its work (need(), the network), SERVICE_STATUS says that, and the own word again afterwards.
+  // How the service says it is; published at once when that changes. While the bus knows of something that keeps the
+  // service from its work (need(), the network), SERVICE_STATUS says that, and the service's own state again
+  // afterwards.
   void set_state(const std::string& state, const std::string& reason = {});
-  // The own word.
+  // The service's own.
   const std::string& state() const { return own_.state; }
 
   // Handles what comes within `timeout`, then the timers. False once the service shall end: SIGINT, SIGTERM, stop(), or
@@ -149,7 +150,7 @@ class Bus final : private SubscriptionHost, private MessageSink {
     bool is_told = false;
 
     // Nothing is told before it has lasted for `patience`. The duration, s, of one that was told and is over.
-    std::optional<double> follow(const std::optional<Word>& trouble, std::chrono::seconds patience,
+    std::optional<double> follow(const std::optional<Health>& trouble, std::chrono::seconds patience,
                                  std::chrono::steady_clock::time_point now);
   };
 
@@ -170,10 +171,10 @@ class Bus final : private SubscriptionHost, private MessageSink {
   bool handle_incoming(std::chrono::milliseconds timeout);
   void lose_input(const std::string& why);
   void look_after_health();
-  void tell(const Word& word);
-  void log_trouble(const std::optional<Word>& network, const std::optional<Word>& inputs);
-  std::optional<Word> word_of_network() const;
-  std::optional<Word> word_of_inputs() const;
+  void tell(const Health& health);
+  void log_trouble(const std::optional<Health>& network, const std::optional<Health>& inputs);
+  std::optional<Health> network_health() const;
+  std::optional<Health> inputs_health() const;
   void add_counters(const std::string& prefix, ServiceStatus& status) const;
   void publish_status();
   void run_timers();
@@ -196,8 +197,8 @@ class Bus final : private SubscriptionHost, private MessageSink {
   std::vector<std::pair<const Bus*, std::string>> reported_also_;  // with their channels' prefix
   std::vector<Timer> timers_;
   std::unique_ptr<Publisher<ServiceStatus>> status_publisher_;
-  Word own_{kStarting, {}};
-  Word told_{kStarting, {}};
+  Health own_{kStarting, {}};
+  Health told_{kStarting, {}};
   TroubleLog network_log_;
   TroubleLog input_log_;
   TimeLine time_line_;

@@ -72,16 +72,16 @@ void Bus::need(const channels::Entry& channel, double within) {
   throw std::logic_error("need " + name + ": is not subscribed; allowed: channels that are");
 }
 
-std::optional<Word> Bus::word_of_network() const {
+std::optional<Health> Bus::network_health() const {
   for (const Connection* connection : {in_.get(), out_.get()}) {
-    if (!connection->is_open()) return Word{kWaiting, "no network: " + connection->trouble()};
+    if (!connection->is_open()) return Health{kWaiting, "no network: " + connection->trouble()};
   }
   const RefusedSends refused = out_->refused_sends(steady_clock::now());
   if (refused.lately == 0) return std::nullopt;
-  return Word{kWaiting, "the network refuses " + refused.channel + ": " + refused.reason};
+  return Health{kWaiting, "the network refuses " + refused.channel + ": " + refused.reason};
 }
 
-std::optional<Word> Bus::word_of_inputs() const {
+std::optional<Health> Bus::inputs_health() const {
   if (replaying_) return std::nullopt;
   const auto now = steady_clock::now();
   std::vector<NeededInput> inputs;
@@ -96,28 +96,28 @@ std::optional<Word> Bus::word_of_inputs() const {
     input.refusal = subscription.refusal();
     inputs.push_back(std::move(input));
   }
-  return word_about(inputs);
+  return health_of(inputs);
 }
 
 void Bus::set_state(const std::string& state, const std::string& reason) {
-  const Word own{state, reason};
+  const Health own{state, reason};
   if (own == own_) return;
   own_ = own;
-  tell(told_word(own_, word_of_network(), word_of_inputs()));
+  tell(told_health(own_, network_health(), inputs_health()));
 }
 
 // Reasons of the bus itself change with every refused message: they are told with the next heartbeat.
 void Bus::look_after_health() {
-  const auto network = word_of_network();
-  const auto inputs = word_of_inputs();
-  const Word word = told_word(own_, network, inputs);
-  if (word.state != told_.state || (!network && !inputs && !(word == told_))) tell(word);
+  const auto network = network_health();
+  const auto inputs = inputs_health();
+  const Health health = told_health(own_, network, inputs);
+  if (health.state != told_.state || (!network && !inputs && !(health == told_))) tell(health);
   log_trouble(network, inputs);
 }
 
-void Bus::tell(const Word& word) {
-  if (word == told_) return;
-  told_ = word;
+void Bus::tell(const Health& health) {
+  if (health == told_) return;
+  told_ = health;
   if (!status_publisher_) return;
   try {
     publish_status();
@@ -127,7 +127,7 @@ void Bus::tell(const Word& word) {
 }
 
 // While there is no network, nothing can be said of the inputs.
-void Bus::log_trouble(const std::optional<Word>& network, const std::optional<Word>& inputs) {
+void Bus::log_trouble(const std::optional<Health>& network, const std::optional<Health>& inputs) {
   const auto now = steady_clock::now();
   if (const auto lasted = network_log_.follow(network, std::chrono::seconds(0), now)) {
     logging::info("the network is back after {:.1f} s; it refused {} messages in all", *lasted,
@@ -139,7 +139,7 @@ void Bus::log_trouble(const std::optional<Word>& network, const std::optional<Wo
   }
 }
 
-std::optional<double> Bus::TroubleLog::follow(const std::optional<Word>& trouble, std::chrono::seconds patience,
+std::optional<double> Bus::TroubleLog::follow(const std::optional<Health>& trouble, std::chrono::seconds patience,
                                               steady_clock::time_point now) {
   if (!trouble) {
     const bool was_told = std::exchange(is_told, false);
