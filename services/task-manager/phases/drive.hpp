@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "services/task-manager/phases/move_sequence.hpp"
 #include "services/task-manager/phases/phase_context.hpp"
-#include "services/task-manager/phases/way.hpp"
 #include "services/task-manager/watches/drive_watch.hpp"
 
 namespace markservo::task_manager {
@@ -49,7 +49,7 @@ class Drive {
   bool from_robot_;  // `pose_` is X_RG, else X_WG
   geometry::PlanePose pose_;
   std::int64_t since_ = 0;  // us, begin of the stage
-  Way folding_;
+  MoveSequence folding_;
   DriveProgress progress_;
   std::string words_;  // where to, for people
 };

@@ -24,9 +24,9 @@ struct CarryPlan {
 
 // The least distance (m) of the object, fixed to the hand since q_grip, to both its neighbours and the board under
 // them, along `moves` from posture `start`, joints interpolated.
-double way_clearance(const robot::ArmDescription& arm, const CarryParameters& parameters,
-                     const robot::GripDescription& grip, const CarriedObject& object, const robot::JointVector& start,
-                     const std::vector<Move>& moves);
+double path_clearance(const robot::ArmDescription& arm, const CarryParameters& parameters,
+                      const robot::GripDescription& grip, const CarriedObject& object, const robot::JointVector& start,
+                      const std::vector<Move>& moves);
 
 // From `start` (rad), the object lifted. Searches how far and in which direction to draw it out (straight back, along
 // the arm, or between) for the widest clearance, since the hand turns as it comes nearer to the column.

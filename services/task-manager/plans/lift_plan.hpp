@@ -11,8 +11,8 @@ namespace markservo::task_manager {
 double closed_opening(const GripParameters& parameters, const robot::GripDescription& grip);
 
 // From posture `start` (rad) up until the grip point is `height` (m) above `p_CG_place` (m). Where the arm does not
-// reach straight up, the way bends towards the robot, at most bend_max. A hand that comes from the side turns the
-// object with it once it hangs: the way gives way to the other side, so that the object's middle stays between its
+// reach straight up, the path bends towards the robot, at most bend_max. A hand that comes from the side turns the
+// object with it once it hangs: the path gives way to the other side, so that the object's middle stays between its
 // neighbours. The gripper stays closed at `opening` (m).
 PosturePath plan_lift(const robot::ArmDescription& arm, const Parameters& parameters,
                       const robot::GripDescription& grip, const robot::JointVector& start,

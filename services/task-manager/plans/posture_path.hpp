@@ -10,7 +10,7 @@
 
 namespace markservo::task_manager {
 
-// One goal of a way.
+// One goal of a path.
 struct Move {
   bool hold = false;  // stay where the arm is (only the gripper moves); else go to `q`
   robot::JointVector q = robot::JointVector::Zero();
@@ -20,7 +20,7 @@ struct Move {
   double dwell = 0.0;    // s, to wait there
 };
 
-// Builds a way from a posture. After the first point that cannot be reached it keeps that status and adds nothing.
+// Builds a path from a posture. After the first point that cannot be reached it keeps that status and adds nothing.
 class PosturePath {
  public:
   // `opening`: the gripper's at the start, m; `joint_margin`: rad inside the joints' limits.
