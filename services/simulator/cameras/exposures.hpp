@@ -15,7 +15,7 @@ class Exposures {
   Exposures(double rate_hz, std::int64_t first_step);
 
   // Begins anew: the next frame is due at `first_step` and is number 1.
-  void restart(double rate_hz, std::int64_t first_step);
+  void begin_anew(double rate_hz, std::int64_t first_step);
   // Another rate at `step`, counted from the last exposure.
   void change_rate(double rate_hz, std::int64_t step);
 

@@ -77,7 +77,7 @@ void BaseNode::publish_odometry() {
   truth_message.touched = truth.touched ? 1 : 0;
   truth_message.nearest = truth.nearest;
   truths_.publish(truth_message);
-  simulation_->told_odometry();
+  simulation_->observe_odometry();
   odometries_.publish(*odometry_);
 }
 

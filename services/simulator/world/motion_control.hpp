@@ -31,8 +31,8 @@ class MotionControl {
   bool arm_is_silent(std::int64_t now) const { return arm_.silent(now); }
 
   // What commands answer: a frame was exposed, an odometry was told.
-  void note_frame(std::int64_t now) { frame_utime_ = now; }
-  void note_odometry(std::int64_t now) { odometry_utime_ = now; }
+  void observe_frame(std::int64_t now) { frame_utime_ = now; }
+  void observe_odometry(std::int64_t now) { odometry_utime_ = now; }
 
  private:
   motion::CommandVerdict hear(motion::CommandGate& gate, const motion::OfferedCommand& command, std::int64_t now);

@@ -49,7 +49,7 @@ void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
   delayed_.forget();
   path_.forget();
   time_.leap(kResetPause_us);
-  exposures_.restart(settings_.frames.rate_hz, time_.steps());
+  exposures_.begin_anew(settings_.frames.rate_hz, time_.steps());
 }
 
 void Simulation::set(const Assignments& changes) {
@@ -136,7 +136,7 @@ void Simulation::step() {
 }
 
 void Simulation::expose(std::int64_t seq) {
-  control_.note_frame(utime());
+  control_.observe_frame(utime());
   exposures_.expose(time_.steps(), seq);
 }
 

@@ -75,7 +75,7 @@ class Simulation {
   // What is true about the base. Throws std::logic_error if the robot has none.
   MobileBaseTruth base_truth() const;
   // The newest odometry was told now.
-  void told_odometry() { control_.note_odometry(utime()); }
+  void observe_odometry() { control_.observe_odometry(utime()); }
 
   // True when the next frame's exposure is now.
   bool frame_due() const { return exposures_.due(time_.steps()); }
