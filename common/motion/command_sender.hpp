@@ -21,7 +21,7 @@ class CommandSender {
   // `stop_devices` as in robot.yaml.
   explicit CommandSender(std::vector<std::string> stop_devices) : stop_devices_(std::move(stop_devices)) {}
 
-  // Of others than the stop devices nothing is taken.
+  // A STOP_STATE of one that is no stop device is passed over.
   void observe_stop_state(const std::string& device, std::int64_t utime) {
     if (std::find(stop_devices_.begin(), stop_devices_.end(), device) == stop_devices_.end()) return;
     heard_.insert(device);

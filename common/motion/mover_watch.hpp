@@ -33,7 +33,7 @@ class MoverWatch {
   // What others tell that its motion is decided by: TARGET_POSE, ROBOT_POSE. Of another writer than the present one
   // only what is of now counts.
   StreamHeard hear_stream(const std::string& channel, const Stamp& stamp);
-  // Two were found by other means.
+  // Two that claim to be one were found by other means; `why` names them.
   void raise(const std::string& why) { guard_.raise(why); }
 
   // us, of the device's newest message; 0 before any.

@@ -54,7 +54,7 @@ class SoleWriter {
     other_.reset();
     former_.reset();
   }
-  // All times are of another clock from now on.
+  // To be called when all times are of another clock from now on.
   void forget_order() { order_.forget(); }
 
  private:

@@ -16,10 +16,10 @@ class MotionControl {
   // `session`: of all that the simulation tells.
   explicit MotionControl(std::int64_t session) : arm_("JOINT_COMMAND", session), base_("BASE_COMMAND", session) {}
 
-  // A STOP or its reset. Released, they move by commands that answer a frame exposed after this, or an odometry told
-  // after this.
+  // A STOP or its reset, of arm and base. Released, they move by commands that answer a frame exposed after this, or an
+  // odometry told after this.
   motion::StopHeard hear_stop(const motion::StopRequestStamp& request, std::int64_t now);
-  // By the simulation itself.
+  // Latches the stop by the simulation itself.
   void latch(const std::string& reason, std::int64_t now) { latch_.latch(reason, now); }
   const motion::StopLatch& stop() const { return latch_; }
 

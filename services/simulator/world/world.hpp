@@ -54,7 +54,7 @@ class World {
   // base: infinity.
   double clearance() const;
 
-  // Another one for each World that was ever built in this process.
+  // A number of its own for each World that was ever built in this process.
   std::uint64_t id() const { return physics_.id(); }
   const mjModel_* model() const { return physics_.model(); }
   mjData_* data() const { return physics_.data(); }

@@ -18,9 +18,9 @@ class Drive {
  public:
   static constexpr Phase kPhase = Phase::kDrive;
 
-  // To the commanded pose, once the arm is folded.
+  // A drive to the commanded pose, once the arm is folded.
   static Drive to(const geometry::PlanePose& X_WG) { return Drive(Stage::kMakingReady, false, X_WG); }
-  // From where the robot stands, the arm still folded.
+  // A drive on from where the robot stands, the arm still folded.
   static Drive on_by(const geometry::PlanePose& X_RG) { return Drive(Stage::kDriving, true, X_RG); }
 
   void begin(PhaseContext& context);

@@ -26,8 +26,8 @@ struct PickPlan {
   GripPlace place;
 };
 
-// The target whose mark is at `p_CT` (m), by a hand as it is now; `carry`: to the side table in the end. `robot` needs
-// an arm and a manipulator mark, `target` a grip.
+// Plans to pick the target whose mark is at `p_CT` (m) with the hand as it is now; `carry`: to the side table in the
+// end. `robot` needs an arm and a manipulator mark, `target` a grip.
 PickPlan plan_pick(const robot::RobotDescription& robot, const Parameters& parameters,
                    const robot::MarkDescription& target, const Eigen::Vector3d& p_CT, const HandState& hand,
                    bool carry);

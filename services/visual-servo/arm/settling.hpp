@@ -36,7 +36,7 @@ class SettledWindow {
   // What it holds leaves a doubt: nothing more is forgotten until `frames_in_doubt` are there.
   void look_longer() { in_doubt_ = true; }
 
-  // Enough samples that agree, or enough of waiting.
+  // Whether there are enough samples that agree, or it has waited for long enough.
   bool ready(const SettlingParameters& parameters) const;
   int size() const { return static_cast<int>(samples_.size()); }
   Eigen::Vector3d mean() const;

@@ -7,7 +7,7 @@ namespace markservo::visual_servo {
 
 class LostArm {
  public:
-  // Another goal.
+  // To be called for another goal: the arm may be taken where it is once more.
   void forget() { taken_in_hold_ = false; }
   // The arm rests elsewhere: whether its place is to be adopted. `holds`: nothing is to move.
   bool adopts(bool holds) {

@@ -33,7 +33,7 @@ class HandAndTarget {
   // Takes in one frame, with the joints at its exposure (rad). `hand` and `target`: the marks' names.
   Sighting observe(const HandAndTargetParameters& parameters, const robot::ArmDescription& arm, const PoseSample& pose,
                    const JointVector& q_exposure, const std::string& hand, const std::string& target);
-  // Another target, or pictures of another writer.
+  // To be called for another target, and when the pictures are of another writer.
   void forget() { target_.forget(); }
 
  private:

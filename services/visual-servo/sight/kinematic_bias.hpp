@@ -39,7 +39,7 @@ class KinematicBias {
   Eigen::Vector3d at(const robot::ArmDescription& arm, const robot::JointVector& q,
                      const robot::JointVector& directions) const;
 
-  // In which the joints moved last, as `at` takes them.
+  // The directions in which the joints moved last, as at() takes them.
   const robot::JointVector& directions() const { return directions_; }
 
  private:
