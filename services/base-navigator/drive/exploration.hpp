@@ -30,7 +30,7 @@ class Exploration {
   // To be called at a pause for another reason: the next step begins anew.
   void interrupt() { active_ = false; }
   // To be called for another goal: the heading may be looked for once more.
-  void permit() { failed_ = false; }
+  void forget_failure() { failed_ = false; }
 
   // It has gone as far as it may, in vain.
   bool failed() const { return failed_; }
