@@ -19,8 +19,8 @@ extern "C" {
 #include "common/census/census_messages.hpp"
 #include "common/logging/log.hpp"
 #include "common/time/clocks.hpp"
-#include "services/stack-watch/command_line.hpp"
-#include "services/stack-watch/supervisor_reader.hpp"
+#include "services/stack-watch/supervisor/command_line.hpp"
+#include "services/stack-watch/supervisor/supervisor_reader.hpp"
 
 namespace markservo::stack_watch {
 namespace {

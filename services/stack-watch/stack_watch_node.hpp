@@ -13,7 +13,7 @@
 #include "services/stack-watch/heard.hpp"
 #include "services/stack-watch/lcm_datagram.hpp"
 #include "services/stack-watch/silence.hpp"
-#include "services/stack-watch/supervisor_words.hpp"
+#include "services/stack-watch/supervisor/supervisor_words.hpp"
 
 namespace markservo::stack_watch {
 
