@@ -29,8 +29,8 @@ std::string extract_config(const std::string& recording, const std::string& fold
   std::ifstream file(path);
   if (!file) {
     throw LogFileError(path +
-                       ": cannot be read; allowed: the folder of a recording by scripts/record, which keeps the "
-                       "configuration (a log alone does not)");
+                       ": cannot be read; allowed: the folder of a recording, which keeps the configuration "
+                       "(a log alone does not)");
   }
   std::string report;
   try {

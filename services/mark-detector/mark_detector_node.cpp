@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "common/bus/options.hpp"
+#include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "services/mark-detector/colour/colour_overlap.hpp"
 #include "services/mark-detector/detection_message.hpp"
 #include "services/mark-detector/mark_option.hpp"
 #include "services/mark-detector/picture/jpeg_size.hpp"
@@ -107,6 +109,7 @@ void MarkDetectorNode::configure(const std::string& robot_file) {
     const std::int64_t factor = std::max<std::int64_t>(usual.limit, parameters_.patch.limit);
     parameters_.patch.budget = usual.budget * factor * factor / (static_cast<std::int64_t>(usual.limit) * usual.limit);
   }
+  for (const std::string& line : told_of_overlaps(marks)) logging::warn("{}", line);
   detector_.emplace(std::move(marks), parameters_);
 }
 

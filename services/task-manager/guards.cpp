@@ -35,7 +35,7 @@ std::string why_no_task(const Command& command, const PhaseContext& context) {
   if (auto why = why_not_able(command, context.robot, context.parameters.drive); !why.empty()) return why;
   if (context.input.stop.latched) return describe_latched(context.input.stop);
   if (context.holding.something()) {
-    return "the hand holds " + context.task.command.target + ": scripts/task home puts it back";
+    return "the hand holds " + context.task.command.target + ": task home puts it back";
   }
   return "";
 }

@@ -24,8 +24,15 @@ std::string timed(double time, const std::string& text) {
 
 }  // namespace
 
+std::string command_name(const std::string& program) {
+  const std::string ending = "task";
+  const bool by_script =
+      program.size() > ending.size() && program.compare(program.size() - ending.size(), ending.size(), ending) == 0;
+  return by_script ? program : Parameters{}.command;
+}
+
 Dialogue::Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters)
-    : action_(action), stop_devices_(std::move(stop_devices)), parameters_(parameters), clear_(!moves()) {}
+    : action_(action), stop_devices_(std::move(stop_devices)), parameters_(std::move(parameters)), clear_(!moves()) {}
 
 void Dialogue::observe(const StopReport& report) {
   for (const std::string& device : stop_devices_) {
@@ -59,7 +66,7 @@ Step Dialogue::step(double now) {
   step.lines = std::exchange(lines_, {});
   const bool must_be_obeyed = action_ == Action::kStop || action_ == Action::kAbort;
   if (!two_.empty() && !must_be_obeyed) {
-    step.ending = Ending{kExitRefused, two_ + ": end one of them, then scripts/task reset"};
+    step.ending = Ending{kExitRefused, two_ + ": end one of them, then " + parameters_.command + " reset"};
   } else if (for_devices()) {
     step.ending = devices_ending();
   } else if (task_answered_) {
@@ -88,7 +95,7 @@ std::optional<Ending> Dialogue::devices_ending() const {
               with_reason(name + (device.latched ? " is still stopped" : " is not stopped"), device.reason);
   }
   if (!others.empty()) return Ending{kExitRefused, others};
-  return Ending{kExitReached, action_ == Action::kStop ? "stopped: scripts/task reset releases it"
+  return Ending{kExitReached, action_ == Action::kStop ? "stopped: " + parameters_.command + " reset releases it"
                                                        : "released: nothing moves until it is told to (start or home)"};
 }
 
@@ -96,11 +103,12 @@ std::optional<Ending> Dialogue::devices_ending() const {
 std::optional<Ending> Dialogue::obstacle() const {
   for (const auto& [name, device] : devices_) {
     if (!device.latched) continue;
-    return Ending{kExitRefused,
-                  "stop is latched (" + with_reason(name, device.reason) + "): scripts/task reset releases it"};
+    return Ending{kExitRefused, "stop is latched (" + with_reason(name, device.reason) + "): " + parameters_.command +
+                                    " reset releases it"};
   }
   if (under_way(task_->phase)) {
-    return Ending{kExitRefused, "a task is under way (" + describe(*task_) + "): scripts/task abort ends it"};
+    return Ending{kExitRefused,
+                  "a task is under way (" + describe(*task_) + "): " + parameters_.command + " abort ends it"};
   }
   return std::nullopt;
 }

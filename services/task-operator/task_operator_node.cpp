@@ -61,6 +61,10 @@ std::string targets_of(const robot::RobotDescription& robot) {
 
 }  // namespace
 
+TaskOperatorNode::TaskOperatorNode(const std::string& program) {
+  parameters_.command = command_name(program);
+}
+
 void TaskOperatorNode::add_options(CLI::App& app) {
   const bus::Options add(app);
   add.option("ACTION", action_text_,

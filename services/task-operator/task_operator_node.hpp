@@ -18,6 +18,9 @@ namespace markservo::task_operator {
 
 class TaskOperatorNode : public bus::Service {
  public:
+  // `program`: the first argument of the command line.
+  explicit TaskOperatorNode(const std::string& program = {});
+
   void add_options(CLI::App& app) override;
   void configure(const std::string& robot_file) override;
   // A person waits for it.

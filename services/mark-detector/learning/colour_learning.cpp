@@ -152,13 +152,4 @@ LearnedColour learn_colour(const std::vector<LearningPicture>& pictures, const L
   return learned;
 }
 
-bool overlap(const robot::ColourInterval& a, const robot::ColourInterval& b) {
-  const auto holds = [](const robot::ColourInterval& interval, double hue) {
-    return interval.hue_max_deg - interval.hue_min_deg >= kFullTurn_deg ||
-           wrapped(hue - interval.hue_min_deg) <= wrapped(interval.hue_max_deg - interval.hue_min_deg);
-  };
-  return (holds(a, b.hue_min_deg) || holds(b, a.hue_min_deg)) && a.saturation_min <= b.saturation_max &&
-         b.saturation_min <= a.saturation_max && a.value_min <= b.value_max && b.value_min <= a.value_max;
-}
-
 }  // namespace markservo::mark_detector

@@ -44,7 +44,4 @@ struct LearnedColour {
 // value the equalised ones', as in the detector (colour_classifier.hpp).
 LearnedColour learn_colour(const std::vector<LearningPicture>& pictures, const LearningParameters& parameters);
 
-// True if some colour is in both intervals.
-bool overlap(const robot::ColourInterval& a, const robot::ColourInterval& b);
-
 }  // namespace markservo::mark_detector

@@ -8,6 +8,7 @@
 
 #include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "services/mark-detector/colour/colour_overlap.hpp"
 #include "services/mark-detector/learning/file_replacement.hpp"
 #include "services/mark-detector/learning/robot_file_edit.hpp"
 #include "services/mark-detector/picture/picture.hpp"

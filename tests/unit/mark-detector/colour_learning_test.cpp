@@ -93,15 +93,5 @@ TEST(ColourLearning, RefusesAMarkTooPaleToBeToldFromAWall) {
   EXPECT_NE(learn(picture_of(pale_orange, kGrey), 45, 30, 30, 30).failure.find("too pale"), std::string::npos);
 }
 
-TEST(ColourLearning, KnowsWhichIntervalsOverlap) {
-  const robot::ColourInterval red{345.0, 15.0, 0.5, 1.0, 0.2, 1.0};
-  EXPECT_TRUE(overlap(red, {10.0, 30.0, 0.5, 1.0, 0.2, 1.0}));
-  EXPECT_TRUE(overlap({10.0, 30.0, 0.5, 1.0, 0.2, 1.0}, red));
-  EXPECT_TRUE(overlap(red, {350.0, 355.0, 0.5, 1.0, 0.2, 1.0}));
-  EXPECT_FALSE(overlap(red, {16.0, 30.0, 0.5, 1.0, 0.2, 1.0}));
-  EXPECT_FALSE(overlap(red, {350.0, 355.0, 0.1, 0.4, 0.2, 1.0}));
-  EXPECT_TRUE(overlap(red, {0.0, 360.0, 0.0, 1.0, 0.0, 1.0}));
-}
-
 }  // namespace
 }  // namespace markservo::mark_detector

@@ -68,7 +68,7 @@ TEST(Command, StartIsRefusedWhileTheHandHoldsABook) {
   robot.send(CommandKind::kStart, "blue_book");
   robot.run_for(2.0);
   EXPECT_EQ(robot.last().phase, Phase::kRefused);
-  EXPECT_EQ(robot.last().reason, "the hand holds red_book: scripts/task home puts it back");
+  EXPECT_EQ(robot.last().reason, "the hand holds red_book: task home puts it back");
   EXPECT_TRUE(robot.holds_book());
   robot.send(CommandKind::kHome);
   EXPECT_TRUE(robot.run_until(Phase::kDone)) << robot.last().reason;

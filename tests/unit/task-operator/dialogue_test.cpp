@@ -82,6 +82,17 @@ TEST(StartDialogue, IsNotSentWhileAStopIsLatched) {
   EXPECT_EQ(step.ending->line, "stop is latched (arm: comes up stopped): scripts/task reset releases it");
 }
 
+TEST(StartDialogue, NamesTheCommandThatWasTyped) {
+  EXPECT_EQ(command_name("build/release/bin/task-operator"), "scripts/task");
+  EXPECT_EQ(command_name(""), "scripts/task");
+  Parameters parameters;
+  parameters.command = command_name("markservo task");
+  Dialogue dialogue(Action::kStart, {"arm"}, parameters);
+  dialogue.hear(arm(false));
+  dialogue.hear(task(Phase::kServo, Answers::kAnother), 0.0);
+  EXPECT_THAT(dialogue.step(0.0).ending->line, HasSubstr("markservo task abort ends it"));
+}
+
 TEST(StartDialogue, IsNotSentWhileATaskIsUnderWay) {
   Dialogue dialogue(Action::kStart, {"arm"});
   dialogue.observe(arm(false));

@@ -1,4 +1,4 @@
-#include "services/stack-watch/supervisor_reader.hpp"
+#include "services/stack-watch/supervisor/supervisor_reader.hpp"
 
 #include <sys/socket.h>
 #include <sys/time.h>

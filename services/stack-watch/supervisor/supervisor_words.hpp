@@ -18,6 +18,9 @@ struct SupervisedProcess {
   int pid = 0;        // 0: none
 };
 
+// Whether it is a service of the stack that is up, or coming up; the watch itself is none.
+bool runs(const SupervisedProcess& process);
+
 // The processes in the answer to kAskForProcesses; throws std::invalid_argument for what is no such answer.
 std::vector<SupervisedProcess> processes_in(const std::string& answer);
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "services/stack-watch/supervisor_words.hpp"
+#include "services/stack-watch/supervisor/supervisor_words.hpp"
 
 namespace markservo::stack_watch {
 

@@ -1,8 +1,10 @@
-#include "services/stack-watch/supervisor_words.hpp"
+#include "services/stack-watch/supervisor/supervisor_words.hpp"
 
 #include <cstdlib>
 #include <stdexcept>
 #include <string_view>
+
+#include "common/census/census.hpp"
 
 namespace markservo::stack_watch {
 namespace {
@@ -26,6 +28,11 @@ std::string content_of(const std::string& value) {
 }
 
 }  // namespace
+
+bool runs(const SupervisedProcess& process) {
+  return process.pid > 0 && process.name != census::kStackWatch &&
+         (process.state == "RUNNING" || process.state == "STARTING");
+}
 
 std::vector<SupervisedProcess> processes_in(const std::string& answer) {
   if (answer.find("<methodResponse>") == std::string::npos || answer.find("<fault>") != std::string::npos) {
