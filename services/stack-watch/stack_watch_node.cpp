@@ -58,7 +58,7 @@ void StackWatchNode::keep_bus() {
   if (gone || !socket_.is_open()) {
     if (const std::string why = socket_.open(); !why.empty()) problem = "it cannot be joined: " + why;
   }
-  if (!bus_.note(problem, wall_clock_us())) return;
+  if (!bus_.observe(problem, wall_clock_us())) return;
   if (bus_.is_gone()) {
     logging::warn("the bus is gone ({}): nobody is killed for silence", problem);
   } else {
@@ -70,7 +70,7 @@ void StackWatchNode::on_datagram(const Datagram& datagram) {
   const Instant when = now();
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_crafted(datagram.data, datagram.size, datagram.size)) {
-    if (crafted_.note(datagram.from, when.wall_us)) {
+    if (crafted_.observe(datagram.from, when.wall_us)) {
       logging::warn("a crafted fragment came from {}: it ends what reads its channel", datagram.from);
     }
     return;
@@ -106,12 +106,12 @@ void StackWatchNode::step() {
 void StackWatchNode::kill_if_silent(const SilentService& silent) {
   if (!kill_if_supervised(silent, settings_.supervisor)) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  kills_.note({silent.name, silent.pid, 1e-6 * static_cast<double>(silent.silent_us), silent.spoke, wall_clock_us()});
+  kills_.add({silent.name, silent.pid, 1e-6 * static_cast<double>(silent.silent_us), silent.spoke, wall_clock_us()});
 }
 
 void StackWatchNode::note_answer(SupervisorAnswer answer) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  switch (supervisor_.note(std::move(answer), wall_clock_us())) {
+  switch (supervisor_.observe(std::move(answer), wall_clock_us())) {
     case SupervisorMemory::News::kNone:
       break;
     case SupervisorMemory::News::kCannotBeAsked:

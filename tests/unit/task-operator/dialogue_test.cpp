@@ -88,8 +88,8 @@ TEST(StartDialogue, NamesTheCommandThatWasTyped) {
   Parameters parameters;
   parameters.command = command_name("markservo task");
   Dialogue dialogue(Action::kStart, {"arm"}, parameters);
-  dialogue.hear(arm(false));
-  dialogue.hear(task(Phase::kServo, Answers::kAnother), 0.0);
+  dialogue.observe(arm(false));
+  dialogue.observe(task(Phase::kServo, Answers::kAnother), 0.0);
   EXPECT_THAT(dialogue.step(0.0).ending->line, HasSubstr("markservo task abort ends it"));
 }
 
