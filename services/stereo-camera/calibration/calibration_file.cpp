@@ -1,4 +1,4 @@
-#include "services/stereo-camera/calibration_file.hpp"
+#include "services/stereo-camera/calibration/calibration_file.hpp"
 
 #include <cmath>
 #include <fstream>

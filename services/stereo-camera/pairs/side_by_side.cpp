@@ -1,4 +1,4 @@
-#include "services/stereo-camera/side_by_side.hpp"
+#include "services/stereo-camera/pairs/side_by_side.hpp"
 
 namespace markservo::stereo_camera {
 

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/stereo_calibration.hpp"
+#include "services/stereo-camera/calibration/stereo_calibration.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/stereo-camera/calibration_file.hpp"
+#include "services/stereo-camera/calibration/calibration_file.hpp"
 
 namespace markservo::stereo_camera {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/rectifier.hpp"
+#include "services/stereo-camera/calibration/rectifier.hpp"
 
 #include <algorithm>
 #include <opencv2/calib3d.hpp>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/stereo-camera/frame_source.hpp"
+#include "services/stereo-camera/pairs/frame_source.hpp"
 
 namespace markservo::stereo_camera {
 namespace {

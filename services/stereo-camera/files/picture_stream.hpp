@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "services/stereo-camera/image_stream.hpp"
+#include "services/stereo-camera/files/image_stream.hpp"
 
 namespace markservo::stereo_camera {
 

@@ -1,10 +1,10 @@
-#include "services/stereo-camera/device_source.hpp"
+#include "services/stereo-camera/devices/device_source.hpp"
 
 #include <cmath>
 #include <utility>
 
-#include "services/stereo-camera/frame_pairing.hpp"
-#include "services/stereo-camera/side_by_side.hpp"
+#include "services/stereo-camera/pairs/frame_pairing.hpp"
+#include "services/stereo-camera/pairs/side_by_side.hpp"
 
 namespace markservo::stereo_camera {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "common/geometry/stereo_camera.hpp"
-#include "services/stereo-camera/stereo_calibration.hpp"
+#include "services/stereo-camera/calibration/stereo_calibration.hpp"
 
 namespace markservo::stereo_camera {
 

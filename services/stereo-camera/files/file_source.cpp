@@ -1,8 +1,8 @@
-#include "services/stereo-camera/file_source.hpp"
+#include "services/stereo-camera/files/file_source.hpp"
 
 #include <utility>
 
-#include "services/stereo-camera/side_by_side.hpp"
+#include "services/stereo-camera/pairs/side_by_side.hpp"
 
 namespace markservo::stereo_camera {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "services/stereo-camera/frame_source.hpp"
+#include "services/stereo-camera/pairs/frame_source.hpp"
 
 namespace markservo::stereo_camera {
 

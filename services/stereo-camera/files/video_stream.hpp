@@ -3,7 +3,7 @@
 #include <opencv2/videoio.hpp>
 #include <string>
 
-#include "services/stereo-camera/image_stream.hpp"
+#include "services/stereo-camera/files/image_stream.hpp"
 
 namespace markservo::stereo_camera {
 

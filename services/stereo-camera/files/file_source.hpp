@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "services/stereo-camera/frame_source.hpp"
-#include "services/stereo-camera/image_stream.hpp"
+#include "services/stereo-camera/files/image_stream.hpp"
+#include "services/stereo-camera/pairs/frame_source.hpp"
 
 namespace markservo::stereo_camera {
 

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/picture_stream.hpp"
+#include "services/stereo-camera/files/picture_stream.hpp"
 
 #include <opencv2/imgcodecs.hpp>
 

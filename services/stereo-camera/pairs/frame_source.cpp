@@ -1,4 +1,4 @@
-#include "services/stereo-camera/frame_source.hpp"
+#include "services/stereo-camera/pairs/frame_source.hpp"
 
 namespace markservo::stereo_camera {
 

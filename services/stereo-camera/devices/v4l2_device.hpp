@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "services/stereo-camera/capture_device.hpp"
+#include "services/stereo-camera/devices/capture_device.hpp"
 
 namespace markservo::stereo_camera {
 

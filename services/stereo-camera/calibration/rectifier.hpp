@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "services/stereo-camera/stereo_calibration.hpp"
+#include "services/stereo-camera/calibration/stereo_calibration.hpp"
 
 namespace markservo::stereo_camera {
 

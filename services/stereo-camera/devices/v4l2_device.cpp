@@ -1,4 +1,4 @@
-#include "services/stereo-camera/v4l2_device.hpp"
+#include "services/stereo-camera/devices/v4l2_device.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "common/logging/log.hpp"
-#include "services/stereo-camera/frame_pairing.hpp"
-#include "services/stereo-camera/frame_source.hpp"
+#include "services/stereo-camera/pairs/frame_pairing.hpp"
+#include "services/stereo-camera/pairs/frame_source.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
