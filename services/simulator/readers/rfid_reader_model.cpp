@@ -1,8 +1,9 @@
 #include "services/simulator/readers/rfid_reader_model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -41,9 +42,7 @@ Eigen::Vector2d between(double share, const Eigen::Vector2d& from, const Eigen::
 }
 
 std::string random_uid(RandomBits& bits) {
-  char uid[17];
-  std::snprintf(uid, sizeof uid, "%016llX", static_cast<unsigned long long>(bits.next()));
-  return uid;
+  return fmt::format("{:016X}", bits.next());
 }
 
 }  // namespace
