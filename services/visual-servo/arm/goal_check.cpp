@@ -4,12 +4,13 @@
 
 #include <cmath>
 
+#include "common/geometry/degrees.hpp"
 #include "common/robot/arm_kinematics.hpp"
 
 namespace markservo::visual_servo {
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;
+using geometry::kDegreesPerRadian;
 
 bool finite(const Goal& goal) {
   bool ok = goal.p_TG_C.allFinite() && std::isfinite(goal.tolerance) && std::isfinite(goal.speed) &&
@@ -26,7 +27,8 @@ std::string why_posture_is_refused(const robot::ArmDescription& arm, const Goal&
     const auto& joint = arm.joints[i];
     if (goal.position[i] < joint.min || goal.position[i] > joint.max) {
       return fmt::format("posture: joint {} at {:.1f} deg, allowed {:.1f} to {:.1f} deg", joint.name,
-                         goal.position[i] * kDegrees, joint.min * kDegrees, joint.max * kDegrees);
+                         goal.position[i] * kDegreesPerRadian, joint.min * kDegreesPerRadian,
+                         joint.max * kDegreesPerRadian);
     }
   }
   return "";
@@ -44,8 +46,9 @@ std::string why_target_is_refused(const robot::RobotDescription& robot, const Go
 
 std::string why_limit(const robot::ArmDescription& arm, std::size_t joint, double angle, double margin) {
   const auto& limits = arm.joints[joint];
-  return fmt::format("joint {} would be at {:.1f} deg, allowed {:.1f} to {:.1f} deg", limits.name, angle * kDegrees,
-                     (limits.min + margin) * kDegrees, (limits.max - margin) * kDegrees);
+  return fmt::format("joint {} would be at {:.1f} deg, allowed {:.1f} to {:.1f} deg", limits.name,
+                     angle * kDegreesPerRadian, (limits.min + margin) * kDegreesPerRadian,
+                     (limits.max - margin) * kDegreesPerRadian);
 }
 
 }  // namespace
