@@ -10,8 +10,6 @@ namespace {
 
 static_assert(BaseRig::kStep_us == kTimeStep_us, "base and world take the same steps");
 
-constexpr std::uint64_t kSonarStream = 0xA1;
-
 BaseRigParameters rig_parameters(const BaseSettings& base, const RfidSettings& rfid, const std::string& tag_field) {
   return {base_model_parameters(base), tag_floor_parameters(rfid), rfid_reader_parameters(rfid), tag_field};
 }
@@ -23,7 +21,7 @@ MobileBase::MobileBase(const robot::RobotDescription& robot, const std::string& 
     : rig_(robot, rig_parameters(base, readers.rfid, tag_field), base.start(), seed, epoch),
       sonar_parameters_(sonar_parameters(readers.sonar)),
       next_scan_(epoch) {
-  if (robot.sonars) sonars_.emplace(*robot.sonars, seed_for(seed, kSonarStream, 0));
+  if (robot.sonars) sonars_.emplace(*robot.sonars, seed_for(seed, streams::kSonars, 0));
 }
 
 void MobileBase::change(const ReaderSettings& readers) {

@@ -108,7 +108,7 @@ void apply_effects(const ImageEffects& effects, std::uint64_t noise_seed, cv::Ma
 }
 
 std::uint64_t noise_seed(std::uint64_t seed, std::uint64_t frame_number, int side) {
-  return seed_for(seed, 0x22 + static_cast<std::uint64_t>(side), frame_number);
+  return seed_for(seed, side == 0 ? streams::kLeftNoise : streams::kRightNoise, frame_number);
 }
 
 }  // namespace markservo::simulator
