@@ -8,9 +8,9 @@
 #include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
+#include "services/simulator/node/lockstep_node.hpp"
+#include "services/simulator/node/real_time_node.hpp"
 #include "services/simulator/time/awaited_channels.hpp"
-#include "services/simulator/time/lockstep_node.hpp"
-#include "services/simulator/time/real_time_node.hpp"
 
 namespace markservo::simulator {
 

@@ -1,4 +1,4 @@
-#include "services/simulator/base/mobile_base.hpp"
+#include "services/simulator/world/mobile_base.hpp"
 
 #include <utility>
 

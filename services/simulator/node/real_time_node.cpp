@@ -1,4 +1,4 @@
-#include "services/simulator/time/real_time_node.hpp"
+#include "services/simulator/node/real_time_node.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -1,11 +1,11 @@
-#include "services/simulator/time/lockstep_node.hpp"
+#include "services/simulator/node/lockstep_node.hpp"
 
 #include <chrono>
 #include <cstdint>
 
 #include "common/logging/log.hpp"
+#include "services/simulator/node/answer_wait_node.hpp"
 #include "services/simulator/node/world_node.hpp"
-#include "services/simulator/time/answer_wait_node.hpp"
 
 namespace markservo::simulator {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/simulator/time/answer_wait_node.hpp"
+#include "services/simulator/node/answer_wait_node.hpp"
 
 #include <algorithm>
 #include <chrono>
