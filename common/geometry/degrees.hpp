@@ -6,8 +6,8 @@
 
 namespace markservo::geometry {
 
-// The same as factors, which round the last bit otherwise: for what must stay as it always was, a simulated world by its
-// seed, a search by its grid, a text that others compare.
+// The same as factors, which round the last bit otherwise: for what must stay as it always was, a simulated world by
+// its seed, a search by its grid, a text that others compare.
 inline constexpr double kRadiansPerDegree = M_PI / 180.0;
 inline constexpr double kDegreesPerRadian = 180.0 / M_PI;
 
