@@ -167,7 +167,7 @@ ServiceStatus Bus::status() const {
   status.pid = getpid();
   status.version = MARKSERVO_VERSION;
   status.config_hash = parameters_.config_hash;
-  const Word told = told_word(health_.own(), word_of_network(), word_of_inputs());
+  const Health told = told_health(health_.own(), network_health(), inputs_health());
   status.state = told.state;
   status.reason = told.reason;
   add_counters("", status);

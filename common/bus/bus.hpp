@@ -102,10 +102,11 @@ class Bus final : private SubscriptionHost, private MessageSink {
   // this.
   void report_also(const Bus& other, std::string prefix);
 
-  // The service's own word for how it is; published at once when it changes. While the bus knows of something that
-  // keeps the service from its work (need(), the network), SERVICE_STATUS says that, and the own word again afterwards.
+  // How the service says it is; published at once when that changes. While the bus knows of something that keeps the
+  // service from its work (need(), the network), SERVICE_STATUS says that, and the service's own state again
+  // afterwards.
   void set_state(const std::string& state, const std::string& reason = {});
-  // The own word.
+  // The service's own.
   const std::string& state() const { return health_.own().state; }
 
   // Handles what comes within `timeout`, then the timers. False once the service shall end: SIGINT, SIGTERM, stop(), or
@@ -148,9 +149,9 @@ class Bus final : private SubscriptionHost, private MessageSink {
   void subscribe_all(lcm::LCM& lcm);
   bool handle_incoming(std::chrono::milliseconds timeout);
   void look_after_health();
-  void tell(const Word& word);
-  std::optional<Word> word_of_network() const;
-  std::optional<Word> word_of_inputs() const;
+  void tell(const Health& health);
+  std::optional<Health> network_health() const;
+  std::optional<Health> inputs_health() const;
   void add_counters(const std::string& prefix, ServiceStatus& status) const;
   void publish_status();
   void run_timers();

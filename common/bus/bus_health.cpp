@@ -21,31 +21,31 @@ void Bus::need(const channels::Entry& channel, double within) {
   throw std::logic_error("need " + name + ": is not subscribed; allowed: channels that are");
 }
 
-std::optional<Word> Bus::word_of_network() const {
-  return network_->word(steady_clock::now());
+std::optional<Health> Bus::network_health() const {
+  return network_->health(steady_clock::now());
 }
 
-std::optional<Word> Bus::word_of_inputs() const {
+std::optional<Health> Bus::inputs_health() const {
   if (replaying()) return std::nullopt;
-  return health_.word_of_inputs(steady_clock::now());
+  return health_.of_inputs(steady_clock::now());
 }
 
 void Bus::set_state(const std::string& state, const std::string& reason) {
-  if (health_.say({state, reason})) tell(told_word(health_.own(), word_of_network(), word_of_inputs()));
+  if (health_.set_own({state, reason})) tell(told_health(health_.own(), network_health(), inputs_health()));
 }
 
 // Reasons of the bus itself change with every refused message: they are told with the next heartbeat.
 void Bus::look_after_health() {
-  const auto network = word_of_network();
-  const auto inputs = word_of_inputs();
-  const Word word = told_word(health_.own(), network, inputs);
-  if (word.state != health_.told().state || (!network && !inputs)) tell(word);
+  const auto network = network_health();
+  const auto inputs = inputs_health();
+  const Health health = told_health(health_.own(), network, inputs);
+  if (health.state != health_.told().state || (!network && !inputs)) tell(health);
   const auto now = steady_clock::now();
   health_.log(network, inputs, network_->out().refused_sends(now).total, now);
 }
 
-void Bus::tell(const Word& word) {
-  if (!health_.tell(word) || !status_publisher_) return;
+void Bus::tell(const Health& health) {
+  if (!health_.set_told(health) || !status_publisher_) return;
   try {
     publish_status();
   } catch (const std::exception& error) {

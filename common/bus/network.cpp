@@ -46,13 +46,13 @@ void Network::lose_input(const std::string& why, Connection::Time now) {
   in_->lose(why, now);
 }
 
-std::optional<Word> Network::word(Connection::Time now) const {
+std::optional<Health> Network::health(Connection::Time now) const {
   for (const Connection* connection : {in_.get(), out_.get()}) {
-    if (!connection->is_open()) return Word{kWaiting, "no network: " + connection->trouble()};
+    if (!connection->is_open()) return Health{kWaiting, "no network: " + connection->trouble()};
   }
   const RefusedSends refused = out_->refused_sends(now);
   if (refused.lately == 0) return std::nullopt;
-  return Word{kWaiting, "the network refuses " + refused.channel + ": " + refused.reason};
+  return Health{kWaiting, "the network refuses " + refused.channel + ": " + refused.reason};
 }
 
 }  // namespace markservo::bus

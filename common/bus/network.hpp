@@ -38,8 +38,8 @@ class Network {
     if (out_->is_open()) ++heartbeats_unheard_;
   }
 
-  // What is wrong with it.
-  std::optional<Word> word(Connection::Time now) const;
+  // What keeps a service on it from its work.
+  std::optional<Health> health(Connection::Time now) const;
 
   Connection& in() const { return *in_; }
   Connection& out() const { return *out_; }

@@ -16,7 +16,7 @@ double seconds_since(Subscription::Time then, Subscription::Time now) {
 
 }  // namespace
 
-std::optional<double> TroubleLog::follow(const std::optional<Word>& trouble, std::chrono::seconds patience,
+std::optional<double> TroubleLog::follow(const std::optional<Health>& trouble, std::chrono::seconds patience,
                                          Subscription::Time now) {
   if (!trouble) {
     const bool was_told = std::exchange(is_told_, false);
@@ -36,7 +36,7 @@ std::optional<double> TroubleLog::follow(const std::optional<Word>& trouble, std
   return std::nullopt;
 }
 
-std::optional<Word> ServiceHealth::word_of_inputs(Subscription::Time now) const {
+std::optional<Health> ServiceHealth::of_inputs(Subscription::Time now) const {
   std::vector<NeededInput> inputs;
   inputs.reserve(needs_.size());
   for (const Need& need : needs_) {
@@ -49,23 +49,23 @@ std::optional<Word> ServiceHealth::word_of_inputs(Subscription::Time now) const 
     input.refusal = subscription.refusal();
     inputs.push_back(std::move(input));
   }
-  return word_about(inputs);
+  return health_of(inputs);
 }
 
-bool ServiceHealth::say(const Word& own) {
+bool ServiceHealth::set_own(const Health& own) {
   if (own == own_) return false;
   own_ = own;
   return true;
 }
 
-bool ServiceHealth::tell(const Word& word) {
-  if (word == told_) return false;
-  told_ = word;
+bool ServiceHealth::set_told(const Health& told) {
+  if (told == told_) return false;
+  told_ = told;
   return true;
 }
 
 // While there is no network, nothing can be said of the inputs.
-void ServiceHealth::log(const std::optional<Word>& network, const std::optional<Word>& inputs, std::int64_t refused,
+void ServiceHealth::log(const std::optional<Health>& network, const std::optional<Health>& inputs, std::int64_t refused,
                         Subscription::Time now) {
   if (const auto lasted = network_log_.follow(network, std::chrono::seconds(0), now)) {
     logging::info("the network is back after {:.1f} s; it refused {} messages in all", *lasted, refused);

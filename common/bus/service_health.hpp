@@ -15,7 +15,7 @@ namespace markservo::bus {
 class TroubleLog {
  public:
   // Nothing is told before it has lasted for `patience`. The duration, s, of one that was told and is over.
-  std::optional<double> follow(const std::optional<Word>& trouble, std::chrono::seconds patience,
+  std::optional<double> follow(const std::optional<Health>& trouble, std::chrono::seconds patience,
                                Subscription::Time now);
 
  private:
@@ -29,18 +29,18 @@ class ServiceHealth {
   // `subscription` outlives this; `within` as Bus::need().
   void need(const Subscription& subscription, double within) { needs_.push_back({&subscription, within}); }
   // The first need that is not met.
-  std::optional<Word> word_of_inputs(Subscription::Time now) const;
+  std::optional<Health> of_inputs(Subscription::Time now) const;
 
-  // The service's own word. False if it is that already.
-  bool say(const Word& own);
-  const Word& own() const { return own_; }
+  // How the service says it is. False if it said that already.
+  bool set_own(const Health& own);
+  const Health& own() const { return own_; }
 
   // False if it was told already.
-  bool tell(const Word& word);
-  const Word& told() const { return told_; }
+  bool set_told(const Health& told);
+  const Health& told() const { return told_; }
 
   // Logs what keeps the service from its work, and its end. `refused`: messages that the network refused, in all.
-  void log(const std::optional<Word>& network, const std::optional<Word>& inputs, std::int64_t refused,
+  void log(const std::optional<Health>& network, const std::optional<Health>& inputs, std::int64_t refused,
            Subscription::Time now);
 
  private:
@@ -50,8 +50,8 @@ class ServiceHealth {
   };
 
   std::vector<Need> needs_;
-  Word own_{kStarting, {}};
-  Word told_{kStarting, {}};
+  Health own_{kStarting, {}};
+  Health told_{kStarting, {}};
   TroubleLog network_log_;
   TroubleLog input_log_;
 };

@@ -65,7 +65,7 @@ motion::GoalHeard Navigator::observe(const Goal& goal, NavigatorState& state) co
   const auto heard = state.goal.observe(parameters_.trust, goal, state.track, state.enable.latched());
   if (heard != motion::GoalHeard::kNew) return heard;
   state.manoeuvre = ManoeuvreState();
-  state.exploration.permit();
+  state.exploration.forget_failure();
   return heard;
 }
 

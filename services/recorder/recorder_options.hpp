@@ -7,7 +7,7 @@
 
 namespace markservo::recorder {
 
-// Where things are.
+// Where a recorder's files are.
 struct Places {
   std::string project = ".";  // what is below is named relative to it; absolute once parsed
   std::string logs_dir = "logs";

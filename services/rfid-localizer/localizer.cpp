@@ -45,7 +45,7 @@ void Localizer::lose(const std::string& why) {
 
 void Localizer::begin_anew(const std::string& why) {
   round_times_.forget();
-  paper_.restart();
+  paper_.forget();
   lose(why);
 }
 
@@ -63,7 +63,7 @@ void Localizer::observe(const EncoderReading& reading) {
   }
   if (step == InputTimes::Step::kAnew) {
     // All that was known belongs to another time.
-    history_.clear();
+    history_.forget();
     counters_.forget();
     begin_anew("WHEEL_ODOMETRY began anew at an earlier time");
   }

@@ -91,7 +91,7 @@ std::optional<PaperEstimate> PaperMethod::observe(std::int64_t utime, const std:
   return estimate;
 }
 
-void PaperMethod::restart() {
+void PaperMethod::forget() {
   averages_.clear();
   times_.clear();
   newest_.reset();

@@ -45,9 +45,9 @@ class PaperMethod {
   // averages' own way. Nothing when no tag was read.
   std::optional<PaperEstimate> observe(std::int64_t utime, const std::vector<Eigen::Vector2d>& tags,
                                        const std::optional<double>& speed);
-  // Of the newest round that read a tag since the restart.
+  // Of the newest round that read a tag.
   const std::optional<PaperEstimate>& newest() const { return newest_; }
-  void restart();
+  void forget();
 
  private:
   double own_speed() const;

@@ -44,16 +44,16 @@ void RfidLocalizerNode::start(bus::Bus& bus) {
     if (stop.device == options_.stop_device) base_->hear_stop_state(messages::stamp_of(stop), stop.latched != 0);
   });
   bus.on_each(channels::kRfidTagHits, [this](const RfidTagHits& message) {
-    const motion::Heard heard = rounds_.hear(messages::stamp_of(message), base_->newest_utime());
+    const motion::StreamHeard heard = rounds_.hear(messages::stamp_of(message), base_->newest_utime());
     // Who has the floor is believed though another one speaks too.
-    if (heard != motion::Heard::kSecond) messages::drop(motion::why_dropped(heard));
+    if (heard != motion::StreamHeard::kSecond) messages::drop(motion::why_dropped(heard));
     localizer_->observe(tag_round(message));
     if (!localizer_->has_wheels()) publish(message.utime, 0, 0);
   });
   bus.on_each(channels::kWheelOdometry, [this](const WheelOdometry& message) {
-    const motion::Word word = base_->hear_report(channels::kWheelOdometry.name, messages::stamp_of(message));
-    messages::drop(motion::why_dropped(word));
-    if (word == motion::Word::kAnew) {
+    const motion::ReportHeard heard = base_->hear_report(channels::kWheelOdometry.name, messages::stamp_of(message));
+    messages::drop(motion::why_dropped(heard));
+    if (heard == motion::ReportHeard::kAnew) {
       // Its clock was set back: all that is known has times to come, and the heading at the start is past.
       parameters_.start_heading.reset();
       begin();

@@ -9,7 +9,7 @@ namespace markservo::stack_watch {
 class BusCondition {
  public:
   // `problem`: why there is none; empty where there is. `wall_us`: wall clock. Whether it went or came back.
-  bool note(const std::string& problem, std::int64_t wall_us) {
+  bool observe(const std::string& problem, std::int64_t wall_us) {
     const bool changed = problem.empty() != problem_.empty();
     problem_ = problem;
     if (changed) changed_us_ = wall_us;

@@ -7,7 +7,7 @@ constexpr std::int64_t kTold_us = 60'000'000;
 
 }  // namespace
 
-void Kills::note(const Kill& kill) {
+void Kills::add(const Kill& kill) {
   newest_.push_back(kill);
   if (newest_.size() > kKept) newest_.pop_front();
 }
@@ -19,7 +19,7 @@ std::string Kills::told(std::int64_t now_us) const {
          std::to_string(static_cast<int>(last.silent_s)) + " s and was killed";
 }
 
-bool CraftedFragments::note(const std::string& from, std::int64_t now_us) {
+bool CraftedFragments::observe(const std::string& from, std::int64_t now_us) {
   const bool news = now_us - newest_us_ > kTold_us;
   ++count_;
   newest_us_ = now_us;

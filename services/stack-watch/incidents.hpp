@@ -20,7 +20,7 @@ struct Kill {
 // Services that were killed for their silence.
 class Kills {
  public:
-  void note(const Kill& kill);
+  void add(const Kill& kill);
   const std::deque<Kill>& newest() const { return newest_; }  // oldest first
   // Of the last one; empty a minute after it.
   std::string told(std::int64_t now_us) const;
@@ -35,7 +35,7 @@ class Kills {
 class CraftedFragments {
  public:
   // `from`: "ADDRESS:PORT". Whether none came in the last minute: those of a stream are no news.
-  bool note(const std::string& from, std::int64_t now_us);
+  bool observe(const std::string& from, std::int64_t now_us);
   std::int64_t count() const { return count_; }
   // How many there were; empty a minute after the last one.
   std::string told(std::int64_t now_us) const;

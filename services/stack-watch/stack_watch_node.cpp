@@ -34,13 +34,13 @@ StackWatchNode::StackWatchNode(StackWatchSettings settings)
 void StackWatchNode::run() {
   keep_bus();
   std::int64_t spoken_us = 0;
-  std::int64_t ticked_us = 0;
+  std::int64_t stepped_us = 0;
   while (!bus::told_to_end()) {
-    socket_.poll(kTick, [this](const Datagram& datagram) { hear(datagram); });
+    socket_.poll(kTick, [this](const Datagram& datagram) { on_datagram(datagram); });
     const std::int64_t steady_us = steady_clock_us();
-    if (steady_us - ticked_us >= 1000 * kTick.count()) {
-      ticked_us = steady_us;
-      tick();
+    if (steady_us - stepped_us >= 1000 * kTick.count()) {
+      stepped_us = steady_us;
+      step();
     }
     if (steady_us - spoken_us < kSecond_us) continue;
     spoken_us = steady_us;
@@ -58,7 +58,7 @@ void StackWatchNode::keep_bus() {
   if (gone || !socket_.is_open()) {
     if (const std::string why = socket_.open(); !why.empty()) problem = "it cannot be joined: " + why;
   }
-  if (!bus_.note(problem, wall_clock_us())) return;
+  if (!bus_.observe(problem, wall_clock_us())) return;
   if (bus_.is_gone()) {
     logging::warn("the bus is gone ({}): nobody is killed for silence", problem);
   } else {
@@ -66,11 +66,11 @@ void StackWatchNode::keep_bus() {
   }
 }
 
-void StackWatchNode::hear(const Datagram& datagram) {
+void StackWatchNode::on_datagram(const Datagram& datagram) {
   const Instant when = now();
   const std::lock_guard<std::mutex> lock(mutex_);
   if (is_crafted(datagram.data, datagram.size, datagram.size)) {
-    if (crafted_.note(datagram.from, when.wall_us)) {
+    if (crafted_.observe(datagram.from, when.wall_us)) {
       logging::warn("a crafted fragment came from {}: it ends what reads its channel", datagram.from);
     }
     return;
@@ -79,26 +79,26 @@ void StackWatchNode::hear(const Datagram& datagram) {
   if (!message) return;
   const census::Heard heard =
       census::heard_of(message->channel, message->payload, message->size, message->message_size, when.wall_us);
-  recent_.hear(heard);
-  if (heard.session) silence_.hear_session(*heard.session, when.steady_us);
+  recent_.observe(heard);
+  if (heard.session) silence_.observe_session(*heard.session, when.steady_us);
   if (!message->whole) return;
   const auto word = census::word_in(message->channel, message->payload, message->size);
   if (!word) return;
-  recent_.hear(*word, when);
+  recent_.observe(*word, when);
   if (word->session == word_.session()) {
-    silence_.hear_beacon(when.steady_us);
+    silence_.observe_beacon(when.steady_us);
   } else if (word->host == word_.host()) {
-    silence_.hear_word(word->name, word->pid, word->session, when.steady_us);
+    silence_.observe_word(word->name, word->pid, word->session, when.steady_us);
   }
 }
 
-void StackWatchNode::tick() {
+void StackWatchNode::step() {
   std::vector<SilentService> silent;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const Instant when = now();
-    recent_.tick(when);
-    silent = silence_.tick(supervisor_.running(), when.steady_us);
+    recent_.step(when);
+    silent = silence_.step(supervisor_.running(), when.steady_us);
   }
   for (const SilentService& service : silent) kill_if_silent(service);
 }
@@ -106,12 +106,12 @@ void StackWatchNode::tick() {
 void StackWatchNode::kill_if_silent(const SilentService& silent) {
   if (!kill_if_supervised(silent, settings_.supervisor)) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  kills_.note({silent.name, silent.pid, 1e-6 * static_cast<double>(silent.silent_us), silent.spoke, wall_clock_us()});
+  kills_.add({silent.name, silent.pid, 1e-6 * static_cast<double>(silent.silent_us), silent.spoke, wall_clock_us()});
 }
 
 void StackWatchNode::note_answer(SupervisorAnswer answer) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  switch (supervisor_.note(std::move(answer), wall_clock_us())) {
+  switch (supervisor_.observe(std::move(answer), wall_clock_us())) {
     case SupervisorMemory::News::kNone:
       break;
     case SupervisorMemory::News::kCannotBeAsked:
@@ -128,7 +128,7 @@ void StackWatchNode::note_answer(SupervisorAnswer answer) {
   if (!supervisor_.cannot_ask().empty()) return;
   census::KnownProcesses known{word_.host(), {}};
   for (const RunningProcess& process : supervisor_.running()) known.processes.insert({process.name, process.pid});
-  recent_.know(known);
+  recent_.observe(known);
 }
 
 std::string StackWatchNode::reason() const {

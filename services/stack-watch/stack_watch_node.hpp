@@ -42,8 +42,8 @@ class StackWatchNode {
   std::string answer();
 
  private:
-  void hear(const Datagram& datagram);
-  void tick();
+  void on_datagram(const Datagram& datagram);
+  void step();
   void speak();
   void keep_bus();
   void kill_if_silent(const SilentService& silent);

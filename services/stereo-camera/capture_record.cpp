@@ -14,7 +14,7 @@ bool CaptureRecord::wait(bool waiting, const std::string& reason) {
   return std::exchange(waiting_, waiting) != waiting;
 }
 
-CaptureRecord::Word CaptureRecord::next_word() {
+CaptureRecord::Health CaptureRecord::next_health() {
   const std::int64_t newly_dropped = dropped_ - std::exchange(dropped_told_, dropped_);
   if (waiting_) return {"waiting", last_reason_ + " (lost " + std::to_string(losses_) + " times)"};
   if (newly_dropped == 0) return {"ready", ""};

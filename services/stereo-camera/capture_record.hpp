@@ -19,12 +19,12 @@ class CaptureRecord {
   std::int64_t published() const { return published_; }
   std::int64_t dropped() const { return dropped_; }
 
-  struct Word {
+  struct Health {
     std::string state;  // "ready", "waiting"
     std::string reason;
   };
-  // To be called once a second: drops are told as those since the last call.
-  Word next_word();
+  // What SERVICE_STATUS says of it; to be called once a second: drops are told as those since the last call.
+  Health next_health();
 
  private:
   std::int64_t published_ = 0;

@@ -193,9 +193,9 @@ void StereoCameraNode::drop(const std::string& reason, std::int64_t count) {
 }
 
 void StereoCameraNode::tell_state(bus::Bus& bus) {
-  const CaptureRecord::Word word = record_.next_word();
-  if (word.state == "ready" && !word.reason.empty()) logging::warn("{}", word.reason);
-  bus.set_state(word.state, word.reason);
+  const CaptureRecord::Health health = record_.next_health();
+  if (health.state == "ready" && !health.reason.empty()) logging::warn("{}", health.reason);
+  bus.set_state(health.state, health.reason);
 }
 
 }  // namespace markservo::stereo_camera

@@ -48,8 +48,8 @@ class Step {
 };
 
 void Step::run() {
-  s_.arm_goals.hear(in_.servo.goal_id, in_.utime);
-  if (in_.base) s_.base_goals.hear(in_.base->goal_id, in_.utime);
+  s_.arm_goals.observe(in_.servo.goal_id, in_.utime);
+  if (in_.base) s_.base_goals.observe(in_.base->goal_id, in_.utime);
   watch_the_clock();
   watch_the_arm();
   watch_the_stop_devices();
@@ -75,7 +75,7 @@ void Step::enter(Transition transition) {
 }
 
 void Step::watch_the_clock() {
-  const TaskClock::Tick tick = s_.clock.tick(in_.utime);
+  const TaskClock::Tick tick = s_.clock.advance(in_.utime);
   if (tick.set_back) s_.servo = ServoWatch();
   if (!under_way(phase())) return;
   if (tick.set_back) enter(stopped("the clock of SERVO_STATUS was set back"));

@@ -34,7 +34,7 @@ std::string command_name(const std::string& program) {
 Dialogue::Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters)
     : action_(action), stop_devices_(std::move(stop_devices)), parameters_(std::move(parameters)), clear_(!moves()) {}
 
-void Dialogue::hear(const StopReport& report) {
+void Dialogue::observe(const StopReport& report) {
   for (const std::string& device : stop_devices_) {
     if (device != report.device) continue;
     const auto known = devices_.find(device);
@@ -47,7 +47,7 @@ void Dialogue::hear(const StopReport& report) {
   }
 }
 
-void Dialogue::hear(const TaskReport& report, double now) {
+void Dialogue::observe(const TaskReport& report, double now) {
   task_ = report;
   task_heard_ = now;
   if (for_devices() || report.answers != Answers::kUs) return;

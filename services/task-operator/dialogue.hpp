@@ -68,10 +68,10 @@ class Dialogue {
  public:
   Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters = {});
 
-  void hear(const StopReport& report);
-  void hear(const TaskReport& report, double now);
+  void observe(const StopReport& report);
+  void observe(const TaskReport& report, double now);
   // Two answer as one: nothing that either says can be believed. `words` name them.
-  void hear_two(const std::string& words) { two_ = words; }
+  void observe_conflict(const std::string& words) { two_ = words; }
 
   // What to do at `now`; to be called every 0.1 s or oftener, and no more after an ending.
   Step step(double now);

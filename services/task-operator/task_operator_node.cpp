@@ -121,20 +121,20 @@ void TaskOperatorNode::start(bus::Bus& bus) {
 }
 
 void TaskOperatorNode::on_stop_state(const StopState& state) {
-  sender_->hear_stop_state(state.device, state.utime);
+  sender_->observe_stop_state(state.device, state.utime);
   StopReport report;
   report.device = state.device;
   report.latched = state.latched != 0;
   report.answers_us = state.request_session == bus_->session() && state.request_id == kRequest;
   report.reason = state.reason;
-  dialogue_->hear(report);
+  dialogue_->observe(report);
 }
 
 void TaskOperatorNode::on_task_state(const TaskState& state) {
-  const motion::Heard heard = task_.hear(messages::stamp_of(state), 0);
-  if (heard == motion::Heard::kSecond) dialogue_->hear_two(task_.words());
+  const motion::StreamHeard heard = task_.hear(messages::stamp_of(state), 0);
+  if (heard == motion::StreamHeard::kSecond) dialogue_->observe_conflict(task_.words());
   messages::drop(motion::why_dropped(heard));
-  sender_->hear_task_state(state.utime);
+  sender_->observe_task_state(state.utime);
   TaskReport report;
   report.time = 1e-6 * static_cast<double>(state.utime);
   if (state.command_session == bus_->session() && state.command_id == kRequest) {
@@ -146,7 +146,7 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
   report.attempt = state.attempt;
   report.target = state.target;
   report.reason = state.reason;
-  dialogue_->hear(report, steady_seconds());
+  dialogue_->observe(report, steady_seconds());
 }
 
 void TaskOperatorNode::send() {

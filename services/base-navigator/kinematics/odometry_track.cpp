@@ -11,7 +11,7 @@ using geometry::PlanePose;
 
 std::string OdometryTrack::add(const OdometryParameters& parameters, const OdometrySample& sample) {
   if (first_utime_ == 0 || sample.utime < first_utime_) first_utime_ = sample.utime;
-  problem_ = take(parameters, sample);
+  problem_ = accept(parameters, sample);
   return problem_;
 }
 
@@ -21,7 +21,7 @@ void OdometryTrack::forget() {
   problem_.clear();
 }
 
-std::string OdometryTrack::take(const OdometryParameters& parameters, const OdometrySample& sample) {
+std::string OdometryTrack::accept(const OdometryParameters& parameters, const OdometrySample& sample) {
   if (history_.empty()) {
     begin(sample);
     return "";

@@ -57,7 +57,7 @@ void Arm::drive(mjData_* data, double dt) {
     Joint& joint = joints_[i];
     // The joint is where the step begins: against the shaft at its end it would run ahead by a step.
     const double behind = joint.servo.shaft() - data->qpos[joint.address.qpos];
-    joint.servo.advance(parameters(i), dt);
+    joint.servo.step(parameters(i), dt);
     const double torque = kJointStiffness * behind + kJointDamping * joint.servo.shaft_speed();
     // qfrc_bias carries weight and gyroscopic forces: the drive holds the arm's own weight without bending.
     data->qfrc_applied[joint.address.dof] =

@@ -13,11 +13,11 @@
 
 namespace markservo::simulator {
 
-// How the true way differs from what the encoders tell.
+// How the true motion differs from what the encoders tell.
 struct BaseModelParameters {
   double scale_sigma = 0.02;  // standard deviation of one factor for both wheels, drawn once: tyres, load
   double drift = 0.0349;      // rad per sqrt(m): random walk of the heading, 2 degrees after a metre
-  double slip = 0.0;          // mean share of a wheel's turning that makes no way, [0, 0.5]
+  double slip = 0.0;          // mean share of a wheel's turning that moves nothing, [0, 0.5]
 };
 
 // Raw counters, from 0 to 2^counter_bits - 1 (all 32 bits of an int32 at counter_bits 32).
@@ -28,7 +28,7 @@ struct WheelTicks {
 
 class BaseModel {
  public:
-  // At rest at X_WR = `start`; the counters start less than 0.25 m of forward way below their wrap-around. Throws
+  // At rest at X_WR = `start`; the counters start less than 0.25 m of forward motion below their wrap-around. Throws
   // std::invalid_argument for parameters below 0, a slip above 0.5 or a start that is not finite.
   BaseModel(const robot::BaseDescription& base, const BaseModelParameters& parameters, const geometry::PlanePose& start,
             std::uint64_t seed);
@@ -56,7 +56,8 @@ class BaseModel {
     WheelEncoder encoder;
     WheelGrip grip;
 
-    double roll(double way);  // the true way (m) while the encoder turns by `way` (m)
+    // The true distance (m) that the wheel goes while its encoder turns by `way` (m).
+    double roll(double way);
   };
 
   double track_;  // m

@@ -9,7 +9,7 @@ ImagePair Cameras::show(const Physics& world, const ImageEffects& effects, const
   ImagePair images = renderer_.render(world);
   apply_effects(effects, noise.left, images.left);
   apply_effects(effects, noise.right, images.right);
-  return lying_.show(faults, std::move(images));
+  return faults_.apply(faults, std::move(images));
 }
 
 }  // namespace markservo::simulator

@@ -3,7 +3,7 @@
 #include "services/simulator/cameras/image_effects.hpp"
 #include "services/simulator/cameras/image_pair.hpp"
 #include "services/simulator/cameras/stereo_renderer.hpp"
-#include "services/simulator/faults/lying_sensors.hpp"
+#include "services/simulator/faults/sensor_faults.hpp"
 
 namespace markservo::simulator {
 
@@ -18,7 +18,7 @@ class Cameras {
 
  private:
   StereoRenderer renderer_;
-  LyingSensors lying_;
+  SensorFaults faults_;
 };
 
 }  // namespace markservo::simulator

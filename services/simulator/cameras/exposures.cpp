@@ -9,7 +9,7 @@ namespace markservo::simulator {
 
 Exposures::Exposures(double rate_hz, std::int64_t first_step) : schedule_(rate_hz, kTimeStep, first_step) {}
 
-void Exposures::restart(double rate_hz, std::int64_t first_step) {
+void Exposures::begin_anew(double rate_hz, std::int64_t first_step) {
   schedule_ = FrameSchedule(rate_hz, kTimeStep, first_step);
   number_ = 0;
   exposed_step_ = -1;

@@ -24,7 +24,8 @@ class BaseNode;
 
 class WorldNode {
  public:
-  // `simulation` and `cameras` outlive this. `awaited` answers are noted for lockstep. `jpeg_quality` as FrameNode's.
+  // `simulation` and `cameras` outlive this. `awaited` answers are observed for lockstep. `jpeg_quality` as
+  // FrameNode's.
   WorldNode(bus::Bus& bus, Simulation& simulation, Cameras& cameras, const AwaitedChannels& awaited, int jpeg_quality);
   ~WorldNode();
   WorldNode(const WorldNode&) = delete;

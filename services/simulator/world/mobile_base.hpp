@@ -39,10 +39,10 @@ class MobileBase {
   MobileBase(const robot::RobotDescription& robot, const std::string& tag_field, const BaseSettings& base,
              const ReaderSettings& readers, std::uint64_t seed, std::int64_t epoch);
 
-  // Takes over those that show at once.
+  // Takes over the settings that show at once.
   void change(const ReaderSettings& readers);
 
-  // As BaseRig's.
+  // Both as BaseRig has them.
   void command(double speed, double turn_rate) { rig_.command(speed, turn_rate); }
   void freeze() { rig_.freeze(); }
 

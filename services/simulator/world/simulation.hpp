@@ -53,7 +53,7 @@ class Simulation {
   // A STOP or its reset, of arm and base together. Latched, the arm stays where it is, the grip keeps its force, and
   // the base brakes. Released, they move when a command answers a frame exposed after this, or an odometry told after
   // this.
-  motion::StopHeard request(const motion::StopRequestStamp& request);
+  motion::StopHeard hear_stop(const motion::StopRequestStamp& request);
   std::string why_stale(const motion::StopRequestStamp& request) const { return latch().why_stale(request, utime()); }
   const motion::StopLatch& latch() const { return control_.stop(); }
 
@@ -75,7 +75,7 @@ class Simulation {
   // What is true about the base. Throws std::logic_error if the robot has none.
   MobileBaseTruth base_truth() const;
   // The newest odometry was told now.
-  void told_odometry() { control_.note_odometry(utime()); }
+  void observe_odometry() { control_.observe_odometry(utime()); }
 
   // True when the next frame's exposure is now.
   bool frame_due() const { return exposures_.due(time_.steps()); }

@@ -4,7 +4,7 @@
 
 namespace markservo::stack_watch {
 
-SupervisorMemory::News SupervisorMemory::note(SupervisorAnswer answer, std::int64_t wall_us) {
+SupervisorMemory::News SupervisorMemory::observe(SupervisorAnswer answer, std::int64_t wall_us) {
   if (!answer.cannot_ask.empty()) {
     const bool news = answer.cannot_ask != newest_.cannot_ask;
     newest_.cannot_ask = std::move(answer.cannot_ask);

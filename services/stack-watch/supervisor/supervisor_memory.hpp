@@ -27,7 +27,7 @@ class SupervisorMemory {
 
   // `wall_us`: wall clock. One that is busy for a moment, or cannot be asked, makes nobody forget who runs: its last
   // word counts until the next.
-  News note(SupervisorAnswer answer, std::int64_t wall_us);
+  News observe(SupervisorAnswer answer, std::int64_t wall_us);
 
   // One that never answered may still be starting.
   bool is_dead() const { return !newest_.alive && ever_alive_; }

@@ -10,12 +10,12 @@ namespace markservo::task_manager {
 
 void Carry::begin(PhaseContext& context) {
   context.holding.carry_away();
-  way_.begin(context);
+  moves_.begin(context);
 }
 
 std::optional<Transition> Carry::step(PhaseContext& context) {
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   const PosturePath path =
       plan_release(context.arm(), context.parameters, context.arm_goals.newest().q, context.closed());
   if (!path.reachable()) {

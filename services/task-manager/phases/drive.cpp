@@ -51,14 +51,14 @@ std::optional<Transition> Drive::make_ready(PhaseContext& context) {
   if (!path.reachable()) return not_taken(context, std::string("no way home: ") + robot::describe(path.status()));
   stage_ = Stage::kFolding;
   context.reason = "folding the arm for the drive";
-  folding_ = Way(path.moves());
+  folding_ = MoveSequence(path.moves());
   folding_.begin(context);
   return std::nullopt;
 }
 
 std::optional<Transition> Drive::fold(PhaseContext& context) {
-  const MoveReport way = folding_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = folding_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   set_off(context);
   return std::nullopt;
 }

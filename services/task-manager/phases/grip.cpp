@@ -14,7 +14,7 @@ void Grip::begin(PhaseContext& context) {
   close.hold = true;
   close.opening = context.closed();
   close.dwell = context.parameters.grip.close_time;
-  closing_ = Way({close});
+  closing_ = MoveSequence({close});
   closing_.begin(context);
 }
 
@@ -23,8 +23,8 @@ std::optional<Transition> Grip::step(PhaseContext& context) {
 }
 
 std::optional<Transition> Grip::close(PhaseContext& context) {
-  const MoveReport way = closing_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = closing_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   const ArmReport& arm = *context.input.arm;
   context.holding.grip(arm, context.grip().object_width);
   context.task.at_grip.q = arm.q;

@@ -11,8 +11,8 @@
 namespace markservo::task_manager {
 
 std::optional<Transition> Lift::step(PhaseContext& context) {
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   return Transition{Verify(), "measuring both marks after the lift"};
 }
 
@@ -43,8 +43,8 @@ Transition Verify::judge(PhaseContext& context) const {
 }
 
 std::optional<Transition> LiftOn::step(PhaseContext& context) {
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   const Task& task = context.task;
   if (!task.command.carry) return Transition{HoldLifted(), ""};
   const CarryPlan plan = plan_carry(context.arm(), context.parameters, context.grip(),

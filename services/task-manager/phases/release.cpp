@@ -7,8 +7,8 @@
 namespace markservo::task_manager {
 
 std::optional<Transition> Release::step(PhaseContext& context) {
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   context.holding.release();
   switch (then_) {
     case Then::kLookAgain:
@@ -36,8 +36,8 @@ Transition Release::go_home(PhaseContext& context) const {
 }
 
 std::optional<Transition> GoHome::step(PhaseContext& context) {
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   if (carried_) context.task.result = Result::kLifted;
   return Transition{Done(), ""};
 }

@@ -10,7 +10,7 @@ namespace {
 
 using robot::ArmDescription;
 
-// A way that begins where the arm is, with the hand open at the end of its first move.
+// A path that begins where the arm is, with the hand open at the end of its first move.
 PosturePath begin_with_open_hand(const ArmDescription& arm, const Parameters& parameters, const HandState& hand) {
   PosturePath path(arm, hand.q, hand.opening, parameters.motion.joint_margin);
   const double open = arm.gripper.opening_max;

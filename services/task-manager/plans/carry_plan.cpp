@@ -48,9 +48,9 @@ double radius_of(const robot::ArmDescription& arm, const Eigen::Vector3d& p_CG) 
 
 }  // namespace
 
-double way_clearance(const robot::ArmDescription& arm, const CarryParameters& parameters,
-                     const robot::GripDescription& grip, const CarriedObject& object, const robot::JointVector& start,
-                     const std::vector<Move>& moves) {
+double path_clearance(const robot::ArmDescription& arm, const CarryParameters& parameters,
+                      const robot::GripDescription& grip, const CarriedObject& object, const robot::JointVector& start,
+                      const std::vector<Move>& moves) {
   constexpr double kSample = 0.02;  // rad between the postures looked at
   const std::vector<Box> boxes = obstacles(parameters, grip, object.p_CT_place);
   Box carried = standing_object(parameters, grip.object_width, object.p_CT_place);
@@ -98,7 +98,7 @@ CarryPlan plan_carry(const robot::ArmDescription& arm, const Parameters& paramet
         status = path.status();
         continue;
       }
-      const double clearance = way_clearance(arm, carry, grip, object, start, path.moves());
+      const double clearance = path_clearance(arm, carry, grip, object, start, path.moves());
       if (clearance > best.clearance) {
         best.clearance = clearance;
         best.moves = path.moves();

@@ -19,15 +19,15 @@ std::string why_another_thing(const robot::ArmDescription& arm, const JointVecto
 
 }  // namespace
 
-Sighting HandAndTarget::see(const HandAndTargetParameters& parameters, const robot::ArmDescription& arm,
-                            const PoseSample& pose, const JointVector& q_exposure, const std::string& hand,
-                            const std::string& target) {
+Sighting HandAndTarget::observe(const HandAndTargetParameters& parameters, const robot::ArmDescription& arm,
+                                const PoseSample& pose, const JointVector& q_exposure, const std::string& hand,
+                                const std::string& target) {
   Sighting sighting;
   const MarkSample* hand_mark = find(pose, hand);
   const MarkSample* target_mark = find(pose, target);
   sighting.lost = why_lost(target_mark, target);
   if (!sighting.lost.empty()) return sighting;
-  target_.see(parameters.target, target_mark->p_C, target_mark->covariance);
+  target_.observe(parameters.target, target_mark->p_C, target_mark->covariance);
   sighting.lost = why_lost(hand_mark, hand);
   if (!sighting.lost.empty()) return sighting;
   sighting.lost = why_another_thing(arm, q_exposure, *hand_mark, parameters.hand_mismatch);

@@ -160,7 +160,7 @@ TEST(Simulation, TwoWritersOfCommandsLatchUntilOneIsAlone) {
 
 TEST(Simulation, AnOldResetReleasesNothing) {
   Simulation simulation = test_simulation(Timing::kRealTime);
-  EXPECT_EQ(simulation.request({{1, 1, simulation.utime() - 2'280'000'000}, true, "a recording"}),
+  EXPECT_EQ(simulation.hear_stop({{1, 1, simulation.utime() - 2'280'000'000}, true, "a recording"}),
             motion::StopHeard::kStale);
   EXPECT_TRUE(simulation.latch().latched());
 }

@@ -29,33 +29,33 @@ SupervisorAnswer not_asked(const std::string& why) {
 
 TEST(SupervisorMemory, TellsItsEndOnceAndRemembersWhoRan) {
   SupervisorMemory memory;
-  EXPECT_EQ(memory.note(alive_with("visual-servo", 7), 100), News::kAnswers);
-  EXPECT_EQ(memory.note(silent("no such file"), 200), News::kDied);
-  EXPECT_EQ(memory.note(silent("no such file"), 300), News::kNone);
+  EXPECT_EQ(memory.observe(alive_with("visual-servo", 7), 100), News::kAnswers);
+  EXPECT_EQ(memory.observe(silent("no such file"), 200), News::kDied);
+  EXPECT_EQ(memory.observe(silent("no such file"), 300), News::kNone);
   EXPECT_TRUE(memory.is_dead());
   EXPECT_EQ(memory.changed_us(), 200);
   ASSERT_EQ(memory.running().size(), 1U);
   EXPECT_EQ(memory.running()[0].pid, 7);
   EXPECT_EQ(memory.processes().size(), 1U);
-  EXPECT_EQ(memory.note(alive_with("visual-servo", 8), 400), News::kAnswers);
+  EXPECT_EQ(memory.observe(alive_with("visual-servo", 8), 400), News::kAnswers);
   EXPECT_EQ(memory.running()[0].pid, 8);
 }
 
 TEST(SupervisorMemory, TakesOneThatNeverAnsweredForNoDeadOne) {
   SupervisorMemory memory;
-  EXPECT_EQ(memory.note(silent("no such file"), 100), News::kNone);
+  EXPECT_EQ(memory.observe(silent("no such file"), 100), News::kNone);
   EXPECT_FALSE(memory.is_dead());
   EXPECT_FALSE(memory.is_alive());
 }
 
 TEST(SupervisorMemory, HoldsToWhatItKnowsWhileItCannotAsk) {
   SupervisorMemory memory;
-  memory.note(alive_with("visual-servo", 7), 100);
-  EXPECT_EQ(memory.note(not_asked("too many open files"), 200), News::kCannotBeAsked);
-  EXPECT_EQ(memory.note(not_asked("too many open files"), 300), News::kNone);
+  memory.observe(alive_with("visual-servo", 7), 100);
+  EXPECT_EQ(memory.observe(not_asked("too many open files"), 200), News::kCannotBeAsked);
+  EXPECT_EQ(memory.observe(not_asked("too many open files"), 300), News::kNone);
   EXPECT_TRUE(memory.is_alive());
   EXPECT_EQ(memory.running().size(), 1U);
-  EXPECT_EQ(memory.note(alive_with("visual-servo", 7), 400), News::kNone);
+  EXPECT_EQ(memory.observe(alive_with("visual-servo", 7), 400), News::kNone);
   EXPECT_EQ(memory.cannot_ask(), "");
   EXPECT_EQ(memory.changed_us(), 100);
 }

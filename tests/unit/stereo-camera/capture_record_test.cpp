@@ -8,12 +8,12 @@ namespace {
 TEST(CaptureRecord, TellsDropsOnceAndHowManyThereWereInAll) {
   CaptureRecord record;
   record.drop("half a picture", 2);
-  EXPECT_EQ(record.next_word().reason, "2 pairs dropped in the last second, 2 since the start; last: half a picture");
-  EXPECT_EQ(record.next_word().reason, "");
+  EXPECT_EQ(record.next_health().reason, "2 pairs dropped in the last second, 2 since the start; last: half a picture");
+  EXPECT_EQ(record.next_health().reason, "");
   record.drop("unpaired", 1);
-  const CaptureRecord::Word word = record.next_word();
-  EXPECT_EQ(word.state, "ready");
-  EXPECT_EQ(word.reason, "1 pairs dropped in the last second, 3 since the start; last: unpaired");
+  const CaptureRecord::Health health = record.next_health();
+  EXPECT_EQ(health.state, "ready");
+  EXPECT_EQ(health.reason, "1 pairs dropped in the last second, 3 since the start; last: unpaired");
 }
 
 TEST(CaptureRecord, WaitsUntilTheCamerasAreBack) {
@@ -21,10 +21,10 @@ TEST(CaptureRecord, WaitsUntilTheCamerasAreBack) {
   EXPECT_TRUE(record.wait(true, "no such device"));
   record.lose(1);
   EXPECT_FALSE(record.wait(true, "")) << "it waits on";
-  EXPECT_EQ(record.next_word().state, "waiting");
-  EXPECT_EQ(record.next_word().reason, "no such device (lost 1 times)");
+  EXPECT_EQ(record.next_health().state, "waiting");
+  EXPECT_EQ(record.next_health().reason, "no such device (lost 1 times)");
   EXPECT_TRUE(record.wait(false, ""));
-  EXPECT_EQ(record.next_word().state, "ready");
+  EXPECT_EQ(record.next_health().state, "ready");
 }
 
 }  // namespace

@@ -7,25 +7,25 @@
 
 namespace markservo::visual_servo {
 
-class MotionPermit {
+class MotionEnable {
  public:
   // The arm's STOP_STATE; `reason` for people.
   void observe_stop(bool latched, const std::string& reason);
   // Why nothing may move though no stop is latched; empty when nothing speaks against it.
-  void block(const std::string& why) { blocked_ = why; }
+  void observe_conflict(const std::string& why) { conflict_ = why; }
 
   // Before the first STOP_STATE the arm is neither.
   bool latched() const { return latched_.value_or(false); }
   bool released() const { return !latched_.value_or(true); }
 
-  const std::string& blocked() const { return blocked_; }
+  const std::string& conflict() const { return conflict_; }
   // Empty when released.
   std::string why_stopped() const;
 
  private:
   std::optional<bool> latched_;
   std::string reason_;
-  std::string blocked_;
+  std::string conflict_;
 };
 
 }  // namespace markservo::visual_servo

@@ -10,11 +10,11 @@
 
 namespace markservo::task_manager {
 
-// A way that the arm goes: one move after the other, each a goal of its own.
-class Way {
+// The arm's moves one after the other, each a goal of its own.
+class MoveSequence {
  public:
-  Way() = default;
-  explicit Way(std::vector<Move> moves) : moves_(std::move(moves)) {}
+  MoveSequence() = default;
+  explicit MoveSequence(std::vector<Move> moves) : moves_(std::move(moves)) {}
 
   // Sends the first move, if there is one.
   void begin(PhaseContext& context);

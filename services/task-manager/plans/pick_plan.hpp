@@ -20,16 +20,16 @@ struct GripPlace {
   double check_height = 0.0;                             // m, of the lift that verifies the grip
 };
 
-struct TakingPlan {
+struct PickPlan {
   std::string trouble;  // why it cannot be taken: the verdict's name, then the reason; empty when it can
   std::vector<Move> approach;
   GripPlace place;
 };
 
-// The target whose mark is at `p_CT` (m), by a hand as it is now; `carry`: to the side table in the end. `robot` needs
-// an arm and a manipulator mark, `target` a grip.
-TakingPlan plan_taking(const robot::RobotDescription& robot, const Parameters& parameters,
-                       const robot::MarkDescription& target, const Eigen::Vector3d& p_CT, const HandState& hand,
-                       bool carry);
+// Plans to pick the target whose mark is at `p_CT` (m) with the hand as it is now; `carry`: to the side table in the
+// end. `robot` needs an arm and a manipulator mark, `target` a grip.
+PickPlan plan_pick(const robot::RobotDescription& robot, const Parameters& parameters,
+                   const robot::MarkDescription& target, const Eigen::Vector3d& p_CT, const HandState& hand,
+                   bool carry);
 
 }  // namespace markservo::task_manager

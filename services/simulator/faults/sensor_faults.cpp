@@ -1,4 +1,4 @@
-#include "services/simulator/faults/lying_sensors.hpp"
+#include "services/simulator/faults/sensor_faults.hpp"
 
 #include <utility>
 
@@ -29,7 +29,7 @@ std::int32_t wrapped(std::int64_t count, int counter_bits) {
 
 }  // namespace
 
-ArmReading LyingSensors::tell(const FaultSettings& settings, ArmReading reading) {
+ArmReading SensorFaults::apply(const FaultSettings& settings, ArmReading reading) {
   if (settings.frozen_joint < 1.0) {
     joint_.reset();
     return reading;
@@ -41,14 +41,14 @@ ArmReading LyingSensors::tell(const FaultSettings& settings, ArmReading reading)
   return reading;
 }
 
-OdometryReading LyingSensors::tell(const FaultSettings& settings, int counter_bits, OdometryReading reading) {
-  tell(left_, factor_of(settings, kLeft), counter_bits, reading.ticks.left, reading.left_distance);
-  tell(right_, factor_of(settings, kRight), counter_bits, reading.ticks.right, reading.right_distance);
+OdometryReading SensorFaults::apply(const FaultSettings& settings, int counter_bits, OdometryReading reading) {
+  apply(left_, factor_of(settings, kLeft), counter_bits, reading.ticks.left, reading.left_distance);
+  apply(right_, factor_of(settings, kRight), counter_bits, reading.ticks.right, reading.right_distance);
   return reading;
 }
 
-void LyingSensors::tell(std::optional<Wheel>& wheel, double factor, int counter_bits, std::int32_t& ticks,
-                        double& distance) {
+void SensorFaults::apply(std::optional<Wheel>& wheel, double factor, int counter_bits, std::int32_t& ticks,
+                         double& distance) {
   // A wheel that has always been told truly needs no counting.
   if (!wheel && factor == 1.0) return;
   if (!wheel) wheel = Wheel{ticks, ticks, distance, distance};
@@ -60,7 +60,7 @@ void LyingSensors::tell(std::optional<Wheel>& wheel, double factor, int counter_
   distance = wheel->distance;
 }
 
-ImagePair LyingSensors::show(const FaultSettings& settings, ImagePair images) {
+ImagePair SensorFaults::apply(const FaultSettings& settings, ImagePair images) {
   if (settings.frozen_camera < 1.0) {
     images_.reset();
     return images;

@@ -1,13 +1,13 @@
-#include "services/task-manager/phases/way.hpp"
+#include "services/task-manager/phases/move_sequence.hpp"
 
 namespace markservo::task_manager {
 
-void Way::begin(PhaseContext& context) {
+void MoveSequence::begin(PhaseContext& context) {
   index_ = 0;
   if (!moves_.empty()) send(context);
 }
 
-MoveReport Way::step(PhaseContext& context) {
+MoveReport MoveSequence::step(PhaseContext& context) {
   if (index_ >= moves_.size()) return {MoveState::kDone, ""};
   MoveReport report = watch_move(moves_[index_], context.arm_goals.newest().id, context.input, context.now(),
                                  context.parameters.motion, progress_);
@@ -16,11 +16,11 @@ MoveReport Way::step(PhaseContext& context) {
   return {};
 }
 
-void Way::send(PhaseContext& context) {
+void MoveSequence::send(PhaseContext& context) {
   const Move& move = moves_[index_];
   progress_ = MoveProgress();
   progress_.since = context.now();
-  context.holding.tell(move.opening);
+  context.holding.observe_command(move.opening);
   Goal goal;
   goal.kind = move.hold ? GoalKind::kHold : GoalKind::kPosture;
   goal.q = move.q;

@@ -1,4 +1,4 @@
-#include "services/task-manager/plans/taking_plan.hpp"
+#include "services/task-manager/plans/pick_plan.hpp"
 
 #include "common/robot/arm_kinematics.hpp"
 #include "common/robot/workspace.hpp"
@@ -17,16 +17,16 @@ std::string trouble_after_the_grip(const robot::ArmDescription& arm, const Param
   const PosturePath up = plan_lift(arm, parameters, grip, q_grip, p_CG, parameters.lift.height, closed);
   if (!up.reachable()) return std::string("it could not be lifted: ") + robot::describe(up.status());
   if (!carry) return "";
-  const CarryPlan way = plan_carry(arm, parameters, grip, {p_CT, q_grip}, up.end(), closed);
-  return way.trouble.empty() ? "" : "it could not be carried: " + way.trouble;
+  const CarryPlan plan = plan_carry(arm, parameters, grip, {p_CT, q_grip}, up.end(), closed);
+  return plan.trouble.empty() ? "" : "it could not be carried: " + plan.trouble;
 }
 
 }  // namespace
 
-TakingPlan plan_taking(const robot::RobotDescription& robot, const Parameters& parameters,
-                       const robot::MarkDescription& target, const Eigen::Vector3d& p_CT, const HandState& hand,
-                       bool carry) {
-  TakingPlan plan;
+PickPlan plan_pick(const robot::RobotDescription& robot, const Parameters& parameters,
+                   const robot::MarkDescription& target, const Eigen::Vector3d& p_CT, const HandState& hand,
+                   bool carry) {
+  PickPlan plan;
   const robot::GripJudgement judgement = robot::judge_grip(robot, target, p_CT);
   if (judgement.verdict != robot::GripVerdict::kFeasible) {
     plan.trouble = std::string(robot::name_of(judgement.verdict)) + ": " + judgement.reason;
