@@ -28,8 +28,10 @@
 #include "common/bus/health.hpp"
 #include "common/bus/publisher.hpp"
 #include "common/bus/raw_subscription.hpp"
+#include "common/bus/service_health.hpp"
 #include "common/bus/subscription.hpp"
 #include "common/bus/time_line.hpp"
+#include "common/bus/timers.hpp"
 
 namespace lcm {
 class LCM;
@@ -40,7 +42,7 @@ class ServiceStatus;
 
 namespace markservo::bus {
 
-class Connection;
+class Network;
 
 // How long a channel that is needed may be silent, s: above the pauses of a busy machine and of a service that is
 // restarted, and well below the 5 s after which nobody may call a deaf service ready.
@@ -105,7 +107,7 @@ class Bus final : private SubscriptionHost, private MessageSink {
   // afterwards.
   void set_state(const std::string& state, const std::string& reason = {});
   // The service's own.
-  const std::string& state() const { return own_.state; }
+  const std::string& state() const { return health_.own().state; }
 
   // Handles what comes within `timeout`, then the timers. False once the service shall end: SIGINT, SIGTERM, stop(), or
   // the end of the log.
@@ -122,7 +124,7 @@ class Bus final : private SubscriptionHost, private MessageSink {
   // The newest utime on any subscribed channel, us: what "now" means to the algorithms; 0 before the first message.
   std::int64_t newest_utime() const override { return time_line_.newest(); }
   // Nothing is live about a log.
-  bool replaying() const override { return replaying_; }
+  bool replaying() const override;
   std::int64_t session() const { return session_; }
   const BusUrls& urls() const { return parameters_.urls; }
   // The prefix of all channels, empty for none.
@@ -133,27 +135,6 @@ class Bus final : private SubscriptionHost, private MessageSink {
   ServiceStatus status() const;
 
  private:
-  struct Timer {
-    std::chrono::milliseconds period;
-    std::chrono::steady_clock::time_point due;
-    std::function<void()> task;
-  };
-
-  struct Need {
-    const Subscription* subscription;
-    double within;  // s
-  };
-
-  // Logs a trouble once when it begins, and gives how long it lasted when it is over.
-  struct TroubleLog {
-    std::optional<std::chrono::steady_clock::time_point> since;
-    bool is_told = false;
-
-    // Nothing is told before it has lasted for `patience`. The duration, s, of one that was told and is over.
-    std::optional<double> follow(const std::optional<Health>& trouble, std::chrono::seconds patience,
-                                 std::chrono::steady_clock::time_point now);
-  };
-
   template <class M>
   void subscribe(const channels::Channel<M>& channel, Delivery delivery,
                  typename TypedSubscription<M>::Handler handler) {
@@ -166,13 +147,9 @@ class Bus final : private SubscriptionHost, private MessageSink {
   std::string full_channel(const std::string& channel) const;
   bool send(const std::string& full_channel, const void* data, std::size_t size) override;
   void subscribe_all(lcm::LCM& lcm);
-  void open();
-  void mend_network();
   bool handle_incoming(std::chrono::milliseconds timeout);
-  void lose_input(const std::string& why);
   void look_after_health();
   void tell(const Health& health);
-  void log_trouble(const std::optional<Health>& network, const std::optional<Health>& inputs);
   std::optional<Health> network_health() const;
   std::optional<Health> inputs_health() const;
   void add_counters(const std::string& prefix, ServiceStatus& status) const;
@@ -186,23 +163,15 @@ class Bus final : private SubscriptionHost, private MessageSink {
   void complain(const std::string& channel, const std::string& what) override;
 
   BusParameters parameters_;
-  bool replaying_ = false;
+  std::unique_ptr<Network> network_;
   std::int64_t session_ = 0;
-  std::shared_ptr<Connection> in_;
-  std::shared_ptr<Connection> out_;  // the same where one URL serves both
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
   std::vector<std::string> advertised_;
-  std::unique_ptr<Subscription> echo_;  // SERVICE_STATUS, this service's own among them: heard unless the bus is deaf
-  std::vector<Need> needs_;
   std::vector<std::pair<const Bus*, std::string>> reported_also_;  // with their channels' prefix
-  std::vector<Timer> timers_;
+  Timers timers_;
   std::unique_ptr<Publisher<ServiceStatus>> status_publisher_;
-  Health own_{kStarting, {}};
-  Health told_{kStarting, {}};
-  TroubleLog network_log_;
-  TroubleLog input_log_;
+  ServiceHealth health_;
   TimeLine time_line_;
-  int heartbeats_unheard_ = 0;  // sent since anything was heard
   bool stopped_ = false;
   std::map<std::string, std::chrono::steady_clock::time_point> last_complaint_;
 };

@@ -43,6 +43,7 @@ int RecorderNode::run() {
     begin_manifest();
     join_bus();
   } catch (...) {
+    remove_manifest(folder_.path());
     folder_.undo();
     throw;
   }

@@ -6,9 +6,9 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
-#include "services/stereo-camera/camera_geometry.hpp"
-#include "services/stereo-camera/frame_source.hpp"
-#include "services/stereo-camera/rectifier.hpp"
+#include "services/stereo-camera/calibration/camera_geometry.hpp"
+#include "services/stereo-camera/calibration/rectifier.hpp"
+#include "services/stereo-camera/pairs/frame_source.hpp"
 
 namespace markservo::stereo_camera {
 

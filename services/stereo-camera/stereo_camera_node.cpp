@@ -9,7 +9,7 @@
 #include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
-#include "services/stereo-camera/schedule.hpp"
+#include "services/stereo-camera/files/schedule.hpp"
 
 namespace markservo::stereo_camera {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "common/bus/service.hpp"
-#include "services/stereo-camera/background_reader.hpp"
-#include "services/stereo-camera/camera_geometry.hpp"
+#include "services/stereo-camera/calibration/camera_geometry.hpp"
 #include "services/stereo-camera/capture_record.hpp"
+#include "services/stereo-camera/devices/background_reader.hpp"
 #include "services/stereo-camera/frame_message.hpp"
 #include "services/stereo-camera/stereo_camera_options.hpp"
 

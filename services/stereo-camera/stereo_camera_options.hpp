@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "services/stereo-camera/camera_geometry.hpp"
+#include "services/stereo-camera/calibration/camera_geometry.hpp"
 #include "services/stereo-camera/source_options.hpp"
 
 namespace CLI {

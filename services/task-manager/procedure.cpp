@@ -1,8 +1,9 @@
 #include "services/task-manager/procedure.hpp"
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <cstdint>
-#include <cstdio>
 #include <utility>
 
 #include "common/task/transitions.hpp"
@@ -79,10 +80,8 @@ void Step::watch_the_clock() {
   if (!under_way(phase())) return;
   if (tick.set_back) enter(stopped("the clock of SERVO_STATUS was set back"));
   if (tick.passed_over_us < kWorthAWord_us) return;
-  char text[96];
-  std::snprintf(text, sizeof text, "SERVO_STATUS left out %.1f s by its times: the task goes on from there",
-                1e-6 * static_cast<double>(tick.passed_over_us));
-  out_.notices.emplace_back(text);
+  out_.notices.push_back(fmt::format("SERVO_STATUS left out {:.1f} s by its times: the task goes on from there",
+                                     1e-6 * static_cast<double>(tick.passed_over_us)));
 }
 
 void Step::watch_the_arm() {

@@ -86,6 +86,12 @@ class Dialogue {
   std::string silent_devices() const;
   void send_if_due(double now, Step& step);
 
+  // The task that answers us.
+  struct FollowedTask {
+    double since = 0.0;              // s of the messages
+    std::optional<TaskReport> told;  // last
+  };
+
   Action action_;
   std::vector<std::string> stop_devices_;
   Parameters parameters_;
@@ -93,10 +99,8 @@ class Dialogue {
   std::map<std::string, StopReport> devices_;
   std::optional<TaskReport> task_;
   std::optional<double> task_heard_;  // when
-  std::optional<TaskReport> told_;    // of the task that answers us
-  double followed_since_ = 0.0;       // s of the messages
-  bool clear_ = false;                // nothing is in the request's way
-  bool task_answered_ = false;
+  std::optional<FollowedTask> followed_;
+  bool clear_ = false;  // nothing is in the request's way
   std::string two_;
   std::optional<double> began_;  // the current wait
   std::optional<double> sent_;

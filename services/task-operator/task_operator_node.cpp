@@ -67,18 +67,18 @@ TaskOperatorNode::TaskOperatorNode(const std::string& program) {
 
 void TaskOperatorNode::add_options(CLI::App& app) {
   const bus::Options add(app);
-  add.option("ACTION", action_text_,
+  add.option("ACTION", wish_.action,
              "start: take --target, and tell how it goes; abort: hold where the arm is; home: back to the home "
              "posture; stop: nothing moves until reset; reset: release the stop, and move nothing")
       .required()
       .not_in_config()
       .one_of({"start", "abort", "home", "stop", "reset"});
-  add.option("--target", target_, "start: whose mark to take");
-  add.option("--drive", drive_, "start: X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
+  add.option("--target", wish_.target, "start: whose mark to take");
+  add.option("--drive", wish_.drive, "start: X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
       .delimiter(',')
       .expected(3);
-  add.flag("--carry", carry_, "start: carry the object to the side, release it there and go home");
-  add.option("--source", source_, "stop, reset: who asks, for the logs").show_default();
+  add.flag("--carry", wish_.carry, "start: carry the object to the side, release it there and go home");
+  add.option("--source", wish_.source, "stop, reset: who asks, for the logs").show_default();
   add.option("--patience", parameters_.patience, "How long to wait for an answer, s")
       .within(0.1, 3600.0)
       .show_default();
@@ -88,24 +88,24 @@ void TaskOperatorNode::add_options(CLI::App& app) {
 }
 
 void TaskOperatorNode::configure(const std::string& robot_file) {
-  action_ = action_of(action_text_);
+  action_ = action_of(wish_.action);
   const robot::RobotDescription robot = robot::load_robot_description(robot_file);
   if (robot.stop_devices.empty()) {
     throw ConfigurationError(robot_file + ": stop_devices is empty; allowed: what moves, so that it can be stopped");
   }
   if (action_ == Action::kStart) {
-    const robot::MarkDescription* mark = robot.find_mark(target_);
+    const robot::MarkDescription* mark = robot.find_mark(wish_.target);
     if (mark == nullptr || mark->role != robot::MarkRole::kTarget) {
-      throw ConfigurationError("--target is '" + target_ + "'; allowed: " + targets_of(robot) + " (" + robot_file +
+      throw ConfigurationError("--target is '" + wish_.target + "'; allowed: " + targets_of(robot) + " (" + robot_file +
                                ")");
     }
-    if (!drive_.empty() && !robot.base) {
+    if (!wish_.drive.empty() && !robot.base) {
       throw ConfigurationError("--drive: " + robot_file + " has no section 'base'; allowed: without --drive");
     }
-    for (const double value : drive_) {
+    for (const double value : wish_.drive) {
       if (!std::isfinite(value)) throw ConfigurationError("--drive: not a number; allowed: X,Y,HEADING_DEG");
     }
-  } else if (!target_.empty() || carry_ || !drive_.empty()) {
+  } else if (!wish_.target.empty() || wish_.carry || !wish_.drive.empty()) {
     throw ConfigurationError("--target, --drive or --carry: without start; allowed: with start");
   }
   dialogue_.emplace(action_, robot.stop_devices, parameters_);
@@ -158,7 +158,7 @@ void TaskOperatorNode::send() {
     request.session = bus_->session();
     request.request_id = kRequest;
     request.kind = action_ == Action::kStop ? StopRequest::STOP : StopRequest::RESET;
-    request.source = source_;
+    request.source = wish_.source;
     request.reason = "asked by an operator";
     stops_->publish(request);
     return;
@@ -170,13 +170,13 @@ void TaskOperatorNode::send() {
   command.kind = action_ == Action::kStart  ? TaskCommand::START
                  : action_ == Action::kHome ? TaskCommand::HOME
                                             : TaskCommand::ABORT;
-  command.target = target_;
-  command.carry = carry_ ? 1 : 0;
-  if (!drive_.empty()) {
+  command.target = wish_.target;
+  command.carry = wish_.carry ? 1 : 0;
+  if (!wish_.drive.empty()) {
     command.drive = 1;
-    command.drive_pose.x = drive_[0];
-    command.drive_pose.y = drive_[1];
-    command.drive_pose.heading = geometry::radians(drive_[2]);
+    command.drive_pose.x = wish_.drive[0];
+    command.drive_pose.y = wish_.drive[1];
+    command.drive_pose.heading = geometry::radians(wish_.drive[2]);
   }
   commands_->publish(command);
 }

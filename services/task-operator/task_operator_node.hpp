@@ -38,12 +38,17 @@ class TaskOperatorNode : public bus::Service {
   // On which bus nobody answered, for people.
   static std::string where(const bus::Bus& bus);
 
-  std::string action_text_;
+  // What the options ask for.
+  struct Wish {
+    std::string action;
+    std::string target;
+    std::vector<double> drive;  // x and y (m), heading (degrees); empty: stand
+    bool carry = false;
+    std::string source = "task-operator";
+  };
+
+  Wish wish_;
   Action action_ = Action::kStop;
-  std::string target_;
-  std::vector<double> drive_;  // x and y (m), heading (degrees); empty: stand
-  bool carry_ = false;
-  std::string source_ = "task-operator";
   Parameters parameters_;
 
   std::optional<Dialogue> dialogue_;

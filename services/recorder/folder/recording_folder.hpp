@@ -47,7 +47,8 @@ class RecordingFolder {
   bool reserve() const;
   void release_reserve() const;
 
-  // Nothing was recorded: neither its files nor, where it was made for them, the folder are left behind.
+  // Nothing was recorded: neither its parts nor, where it was made for them, the folder are left behind. What else was
+  // written there is to be gone before.
   void undo() const;
 
  private:

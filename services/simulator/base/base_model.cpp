@@ -9,12 +9,6 @@
 namespace markservo::simulator {
 namespace {
 
-// Independent streams of one seed.
-constexpr std::uint64_t kScaleStream = 0x51;
-constexpr std::uint64_t kLeftStream = 0x52;
-constexpr std::uint64_t kRightStream = 0x53;
-constexpr std::uint64_t kCounterStream = 0x54;
-
 constexpr double kMostSlip = 0.5;
 constexpr double kWrapWithin = 0.25;  // m of forward way
 
@@ -25,7 +19,7 @@ void require(bool good, const char* what, double value, const char* allowed) {
 }
 
 WheelEncoder encoder(const robot::BaseDescription& base, std::uint64_t seed, std::uint64_t wheel) {
-  const double before_wrap = kWrapWithin * RandomBits(seed_for(seed, kCounterStream, wheel)).uniform();
+  const double before_wrap = kWrapWithin * RandomBits(seed_for(seed, streams::kFirstCount, wheel)).uniform();
   const std::int64_t first_count =
       (std::int64_t{1} << base.counter_bits) - 1 - std::llround(before_wrap / base.metres_per_tick());
   return {base.metres_per_tick(), base.counter_bits, first_count};
@@ -54,10 +48,10 @@ double BaseModel::Wheel::roll(double way) {
 BaseModel::BaseModel(const robot::BaseDescription& base, const BaseModelParameters& parameters,
                      const geometry::PlanePose& start, std::uint64_t seed)
     : track_(base.track),
-      scale_(1.0 + parameters.scale_sigma * RandomBits(seed_for(seed, kScaleStream, 0)).gaussian()),
+      scale_(1.0 + parameters.scale_sigma * RandomBits(seed_for(seed, streams::kWheelScale, 0)).gaussian()),
       drive_(base),
-      left_{encoder(base, seed, 0), {grip_parameters(base, parameters), seed_for(seed, kLeftStream, 0)}},
-      right_{encoder(base, seed, 1), {grip_parameters(base, parameters), seed_for(seed, kRightStream, 0)}},
+      left_{encoder(base, seed, 0), {grip_parameters(base, parameters), seed_for(seed, streams::kLeftGrip, 0)}},
+      right_{encoder(base, seed, 1), {grip_parameters(base, parameters), seed_for(seed, streams::kRightGrip, 0)}},
       pose_(start) {
   require(parameters.scale_sigma >= 0.0 && parameters.scale_sigma <= 0.2, "scale_sigma", parameters.scale_sigma,
           "0 to 0.2");

@@ -34,8 +34,7 @@ std::int64_t Exposures::number_of(std::int64_t seq) const {
 }
 
 bool Exposures::lost(std::uint64_t seed, double drop_rate) const {
-  constexpr std::uint64_t kStream = 0x33;
-  return RandomBits(seed_for(seed, kStream, static_cast<std::uint64_t>(number_))).uniform() < drop_rate;
+  return RandomBits(seed_for(seed, streams::kLostFrames, static_cast<std::uint64_t>(number_))).uniform() < drop_rate;
 }
 
 }  // namespace markservo::simulator

@@ -1,7 +1,7 @@
 #pragma once
 
 // The running simulation on the bus: steps it and sends what its parts tell, in the order in which a real robot's
-// messages of one instant come. Real time and lockstep (time/) decide when.
+// messages of one instant come. real_time_node and lockstep_node decide when.
 
 #include <cstdint>
 #include <markservo/channels.hpp>

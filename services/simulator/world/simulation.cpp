@@ -140,8 +140,8 @@ void Simulation::expose(std::int64_t seq) {
   exposures_.expose(time_.steps(), seq);
 }
 
-std::uint64_t Simulation::noise_seed_of(int side) const {
-  return noise_seed(seed_, static_cast<std::uint64_t>(exposures_.number()), side);
+NoiseSeeds Simulation::noise() const {
+  return noise_seeds(seed_, static_cast<std::uint64_t>(exposures_.number()));
 }
 
 }  // namespace markservo::simulator

@@ -10,11 +10,11 @@
 #include "common/motion/command_path.hpp"
 #include "common/robot/robot_description.hpp"
 #include "services/simulator/arm/delayed_commands.hpp"
-#include "services/simulator/base/mobile_base.hpp"
 #include "services/simulator/cameras/exposures.hpp"
 #include "services/simulator/cameras/image_effects.hpp"
 #include "services/simulator/scene/scene.hpp"
 #include "services/simulator/settings/settings.hpp"
+#include "services/simulator/world/mobile_base.hpp"
 #include "services/simulator/world/motion_control.hpp"
 #include "services/simulator/world/simulated_time.hpp"
 #include "services/simulator/world/world.hpp"
@@ -83,8 +83,8 @@ class Simulation {
   void expose(std::int64_t seq);
   // True if the exposed frame is one of the lost ones.
   bool dropped() const { return exposures_.lost(seed_, settings_.frames.drop_rate); }
-  // Seeds of the exposed frame's noise; side 0 is left, 1 right.
-  std::uint64_t noise_seed_of(int side) const;
+  // Of the exposed frame.
+  NoiseSeeds noise() const;
   ImageEffects effects() const { return image_effects(settings_.image, settings_.light); }
 
   World& world() { return world_; }

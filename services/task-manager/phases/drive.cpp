@@ -1,6 +1,6 @@
 #include "services/task-manager/phases/drive.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "services/task-manager/guards.hpp"
 #include "services/task-manager/phases/active_phase.hpp"
@@ -11,9 +11,7 @@ namespace markservo::task_manager {
 namespace {
 
 std::string words_of(const geometry::PlanePose& pose) {
-  char text[96];
-  std::snprintf(text, sizeof text, "x %.2f m, y %.2f m, %.0f degrees", pose.x, pose.y, geometry::degrees(pose.heading));
-  return text;
+  return fmt::format("x {:.2f} m, y {:.2f} m, {:.0f} degrees", pose.x, pose.y, geometry::degrees(pose.heading));
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #include "services/task-manager/plans/carry_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "services/task-manager/plans/box_clearance.hpp"
@@ -108,10 +109,8 @@ CarryPlan plan_carry(const robot::ArmDescription& arm, const Parameters& paramet
   if (best.moves.empty()) {
     best.trouble = std::string("the way to the side table is ") + robot::describe(status);
   } else if (best.clearance < carry.clearance) {
-    char text[128];
-    std::snprintf(text, sizeof text, "on the way out it would come within %.1f mm of its neighbours, allowed: %.1f mm",
-                  1000.0 * best.clearance, 1000.0 * carry.clearance);
-    best.trouble = text;
+    best.trouble = fmt::format("on the way out it would come within {:.1f} mm of its neighbours, allowed: {:.1f} mm",
+                               1000.0 * best.clearance, 1000.0 * carry.clearance);
   }
   return best;
 }

@@ -1,7 +1,6 @@
 #include "services/visual-servo/sight/hand_and_target.hpp"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "services/visual-servo/sight/in_flight.hpp"
 #include "services/visual-servo/sight/mark_lookup.hpp"
@@ -14,10 +13,8 @@ std::string why_another_thing(const robot::ArmDescription& arm, const JointVecto
                               double allowed) {
   const double mismatch = kinematic_bias(arm, q_exposure, hand.p_C).norm();
   if (!(mismatch > allowed)) return "";
-  std::array<char, 128> text{};
-  std::snprintf(text.data(), text.size(), "mark %s: %.3f m from where the joints say it is, allowed %.3f m",
-                hand.name.c_str(), mismatch, allowed);
-  return text.data();
+  return fmt::format("mark {}: {:.3f} m from where the joints say it is, allowed {:.3f} m", hand.name, mismatch,
+                     allowed);
 }
 
 }  // namespace

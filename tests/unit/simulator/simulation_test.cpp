@@ -243,9 +243,9 @@ TEST(Simulation, FramesAreDroppedAtTheGivenRateTheSameInEveryRun) {
 TEST(Simulation, ARepeatedExposureIsTheSameFrame) {
   Simulation simulation = test_simulation();
   simulation.expose(1);
-  const std::uint64_t seed = simulation.noise_seed_of(0);
+  const std::uint64_t seed = simulation.noise().left;
   simulation.expose(2);
-  EXPECT_EQ(simulation.noise_seed_of(0), seed);
+  EXPECT_EQ(simulation.noise().left, seed);
   EXPECT_FALSE(simulation.frame_due());
 }
 
