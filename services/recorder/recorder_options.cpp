@@ -119,18 +119,6 @@ RecordingPlan plan_of(const Given& given, const std::string& default_url) {
 
 }  // namespace
 
-CommandNames command_names(const std::string& program) {
-  CommandNames names;
-  const std::string ending = "record";
-  if (program.size() < ending.size()) return names;
-  const std::string prefix = program.substr(0, program.size() - ending.size());
-  if (program == prefix + ending) {
-    names.record = program;
-    names.log = prefix + "log";
-  }
-  return names;
-}
-
 RecorderOptions parse_command_line(const std::vector<std::string>& words, const std::string& default_url) {
   const Given given(words);
   RecorderOptions options;
