@@ -95,8 +95,11 @@ void check(const RecorderOptions& options) {
     throw UsageError("--lcm-url '" + plan.lcm_url + "'; allowed: udpm:// and tcpq:// URLs");
   }
   std::error_code error;
-  if (!fs::is_regular_file(places.robot_file, error) || access(places.robot_file.c_str(), R_OK) != 0) {
+  if (!fs::is_regular_file(places.robot_file, error)) {
     throw UsageError("--robot-file " + places.robot_file + ": no such file");
+  }
+  if (access(places.robot_file.c_str(), R_OK) != 0) {
+    throw UsageError("--robot-file " + places.robot_file + ": cannot be read");
   }
   if (!fs::is_directory(places.config_dir, error)) {
     throw UsageError("--config-dir " + places.config_dir + ": no such folder");
