@@ -33,9 +33,6 @@ struct RecorderOptions {
   bool new_folder = false;  // instead: make a folder for whoever records into it later
 };
 
-// How the program was called, from its first argument: "scripts/record" or "markservo record", where a script says so.
-CommandNames command_names(const std::string& program);
-
 // `words`: the command line without the program. Of an option that is given twice the last counts. The bus that nobody
 // names is `default_url`. Throws UsageError.
 RecorderOptions parse_command_line(const std::vector<std::string>& words, const std::string& default_url);

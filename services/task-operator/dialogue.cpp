@@ -24,13 +24,6 @@ std::string timed(double time, const std::string& text) {
 
 }  // namespace
 
-std::string command_name(const std::string& program) {
-  const std::string ending = "task";
-  const bool by_script =
-      program.size() > ending.size() && program.compare(program.size() - ending.size(), ending.size(), ending) == 0;
-  return by_script ? program : Parameters{}.command;
-}
-
 Dialogue::Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters)
     : action_(action), stop_devices_(std::move(stop_devices)), parameters_(std::move(parameters)), clear_(!moves()) {}
 

@@ -52,9 +52,6 @@ struct Step {
   std::optional<Ending> ending;
 };
 
-// How `program` was called, from its first argument: "markservo task", where a script says so; else "scripts/task".
-std::string command_name(const std::string& program);
-
 struct Parameters {
   double patience = 5.0;                 // s without an answer; devices and task speak at 5 Hz or more
   double repeat = 0.2;                   // s between two sendings: LCM may lose one

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <markservo/ServiceStatus.hpp>
 #include <markservo/StopRequest.hpp>
 #include <markservo/StopState.hpp>
 #include <markservo/TaskCommand.hpp>
@@ -16,11 +17,13 @@
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
 #include "common/text/text.hpp"
+#include "services/task-operator/asked_bus.hpp"
 
 namespace markservo::task_operator {
 namespace {
 
-constexpr std::int64_t kRequest = 1;  // the only one of this program's session
+constexpr std::int64_t kRequest = 1;        // the only one of this program's session
+constexpr std::size_t kMostServices = 100;  // remembered, whoever invents names
 
 double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -61,13 +64,13 @@ std::string targets_of(const robot::RobotDescription& robot) {
 
 }  // namespace
 
-TaskOperatorNode::TaskOperatorNode(const std::string& program) {
-  parameters_.command = command_name(program);
+TaskOperatorNode::TaskOperatorNode(const std::string& program) : typed_(program) {
+  parameters_.command = typed_.of("task");
 }
 
 void TaskOperatorNode::add_options(CLI::App& app) {
   const bus::Options add(app);
-  add.option("ACTION", wish_.action,
+  add.option("ACTION", wish_.action_text,
              "start: take --target, and tell how it goes; abort: hold where the arm is; home: back to the home "
              "posture; stop: nothing moves until reset; reset: release the stop, and move nothing")
       .required()
@@ -88,12 +91,12 @@ void TaskOperatorNode::add_options(CLI::App& app) {
 }
 
 void TaskOperatorNode::configure(const std::string& robot_file) {
-  action_ = action_of(wish_.action);
+  wish_.action = action_of(wish_.action_text);
   const robot::RobotDescription robot = robot::load_robot_description(robot_file);
   if (robot.stop_devices.empty()) {
     throw ConfigurationError(robot_file + ": stop_devices is empty; allowed: what moves, so that it can be stopped");
   }
-  if (action_ == Action::kStart) {
+  if (wish_.action == Action::kStart) {
     const robot::MarkDescription* mark = robot.find_mark(wish_.target);
     if (mark == nullptr || mark->role != robot::MarkRole::kTarget) {
       throw ConfigurationError("--target is '" + wish_.target + "'; allowed: " + targets_of(robot) + " (" + robot_file +
@@ -108,7 +111,7 @@ void TaskOperatorNode::configure(const std::string& robot_file) {
   } else if (!wish_.target.empty() || wish_.carry || !wish_.drive.empty()) {
     throw ConfigurationError("--target, --drive or --carry: without start; allowed: with start");
   }
-  dialogue_.emplace(action_, robot.stop_devices, parameters_);
+  dialogue_.emplace(wish_.action, robot.stop_devices, parameters_);
   sender_.emplace(robot.stop_devices);
 }
 
@@ -118,6 +121,9 @@ void TaskOperatorNode::start(bus::Bus& bus) {
   commands_.emplace(bus.advertise(channels::kTaskCommand));
   bus.on_each(channels::kStopState, [this](const StopState& state) { on_stop_state(state); });
   bus.on_each(channels::kTaskState, [this](const TaskState& state) { on_task_state(state); });
+  bus.on_each(channels::kServiceStatus, [this](const ServiceStatus& status) {
+    if (status.session != bus_->session() && services_.size() < kMostServices) services_.insert(status.name);
+  });
 }
 
 void TaskOperatorNode::on_stop_state(const StopState& state) {
@@ -150,14 +156,14 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
 }
 
 void TaskOperatorNode::send() {
-  const auto utime = sender_->stamp(kind_of(action_));
+  const auto utime = sender_->stamp(kind_of(wish_.action));
   if (!utime) return;  // it would be refused; who has not spoken is told when patience ends
-  if (action_ == Action::kStop || action_ == Action::kReset) {
+  if (wish_.action == Action::kStop || wish_.action == Action::kReset) {
     StopRequest request{};
     request.utime = *utime;
     request.session = bus_->session();
     request.request_id = kRequest;
-    request.kind = action_ == Action::kStop ? StopRequest::STOP : StopRequest::RESET;
+    request.kind = wish_.action == Action::kStop ? StopRequest::STOP : StopRequest::RESET;
     request.source = wish_.source;
     request.reason = "asked by an operator";
     stops_->publish(request);
@@ -167,9 +173,9 @@ void TaskOperatorNode::send() {
   command.utime = *utime;
   command.session = bus_->session();
   command.command_id = kRequest;
-  command.kind = action_ == Action::kStart  ? TaskCommand::START
-                 : action_ == Action::kHome ? TaskCommand::HOME
-                                            : TaskCommand::ABORT;
+  command.kind = wish_.action == Action::kStart  ? TaskCommand::START
+                 : wish_.action == Action::kHome ? TaskCommand::HOME
+                                                 : TaskCommand::ABORT;
   command.target = wish_.target;
   command.carry = wish_.carry ? 1 : 0;
   if (!wish_.drive.empty()) {
@@ -181,8 +187,11 @@ void TaskOperatorNode::send() {
   commands_->publish(command);
 }
 
-std::string TaskOperatorNode::where(const bus::Bus& bus) {
-  return "asked on " + text::printable(bus.urls().out) + " (bus-census lists who is on a bus)";
+void TaskOperatorNode::tell(const Ending& ending) const {
+  std::string line = ending.line;
+  if (ending.exit_code == kExitNoAnswer) line += "; " + told_of_bus(bus_->urls().out, services_);
+  if (ending.exit_code != kExitReached) std::cerr << typed_.name_or("task-operator") << ": ";
+  (ending.exit_code == kExitReached ? std::cout : std::cerr) << text::printable(line) << std::endl;
 }
 
 void TaskOperatorNode::run(bus::Bus& bus) {
@@ -192,13 +201,12 @@ void TaskOperatorNode::run(bus::Bus& bus) {
     for (const std::string& line : step.lines) std::cout << text::printable(line) << std::endl;
     if (!step.ending) continue;
     exit_code_ = step.ending->exit_code;
-    (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ")
-        << text::printable(step.ending->line) << (exit_code_ == kExitNoAnswer ? "; " + where(bus) : "") << std::endl;
+    tell(*step.ending);
     return;
   } while (bus.poll(std::chrono::milliseconds(50)));
   exit_code_ = kExitInterrupted;
-  const bool lasts = action_ == Action::kStart || action_ == Action::kHome;
-  std::cerr << "task-operator: ended before the answer; "
+  const bool lasts = wish_.action == Action::kStart || wish_.action == Action::kHome;
+  std::cerr << typed_.name_or("task-operator") << ": ended before the answer; "
             << (lasts ? "the task goes on: abort or stop ends it" : "what was asked may have been done") << std::endl;
 }
 

@@ -66,6 +66,8 @@ void Simulation::set(const Assignments& changes) {
 motion::StopHeard Simulation::hear_stop(const motion::StopRequestStamp& request) {
   const motion::StopHeard heard = control_.hear_stop(request, utime());
   if (heard == motion::StopHeard::kLatched) freeze();
+  // Also where nothing was latched: whoever asked for it begins anew, from the shafts.
+  if (heard == motion::StopHeard::kReleased) path_.forget();
   return heard;
 }
 

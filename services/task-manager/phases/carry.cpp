@@ -18,9 +18,7 @@ std::optional<Transition> Carry::step(PhaseContext& context) {
   if (report.state != MoveState::kDone) return not_done(report);
   const PosturePath path =
       plan_release(context.arm(), context.parameters, context.arm_goals.newest().q, context.closed());
-  if (!path.reachable()) {
-    return failed(std::string("the hand cannot leave it: ") + robot::describe(path.status()));
-  }
+  if (!path.reachable()) return failed("the hand cannot leave it: " + path.trouble());
   return Transition{Release(path.moves(), Release::Then::kGoHomeCarried), "letting go"};
 }
 

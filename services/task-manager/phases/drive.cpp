@@ -48,7 +48,7 @@ std::optional<Transition> Drive::make_ready(PhaseContext& context) {
     return std::nullopt;
   }
   const PosturePath path = plan_home(context.arm(), context.parameters, {input.arm->q, input.arm->gripper_opening});
-  if (!path.reachable()) return not_taken(context, std::string("no way home: ") + robot::describe(path.status()));
+  if (!path.reachable()) return not_taken(context, "no way home: " + path.trouble());
   stage_ = Stage::kFolding;
   context.reason = "folding the arm for the drive";
   folding_ = MoveSequence(path.moves());

@@ -49,7 +49,7 @@ std::optional<Transition> Grip::measure(PhaseContext& context) {
   const Eigen::Vector3d p_CG = robot::grip_point(context.arm(), task.at_grip.q);
   const PosturePath up = plan_lift(context.arm(), context.parameters, context.grip(), task.at_grip.q, p_CG,
                                    task.place.check_height, context.closed());
-  if (!up.reachable()) return let_go(context, std::string("it cannot be lifted: ") + robot::describe(up.status()));
+  if (!up.reachable()) return let_go(context, "it cannot be lifted: " + up.trouble());
   return Transition{Lift(up.moves()), "lifting a little"};
 }
 

@@ -38,7 +38,7 @@ Transition Verify::judge(PhaseContext& context) const {
   const PosturePath up =
       plan_lift(context.arm(), context.parameters, context.grip(), context.arm_goals.newest().q,
                 robot::grip_point(context.arm(), task.at_grip.q), parameters.height, context.closed());
-  if (!up.reachable()) return failed(std::string("it cannot be lifted on: ") + robot::describe(up.status()));
+  if (!up.reachable()) return failed("it cannot be lifted on: " + up.trouble());
   return {LiftOn(up.moves()), "lifting on"};
 }
 

@@ -31,7 +31,7 @@ Transition Release::look_again(PhaseContext& context) const {
 Transition Release::go_home(PhaseContext& context) const {
   const Goal& told = context.arm_goals.newest();
   const PosturePath path = plan_home(context.arm(), context.parameters, {told.q, told.opening});
-  if (!path.reachable()) return failed(std::string("no way home: ") + robot::describe(path.status()));
+  if (!path.reachable()) return failed("no way home: " + path.trouble());
   return {GoHome(path.moves(), then_ == Then::kGoHomeCarried), "on the way home"};
 }
 

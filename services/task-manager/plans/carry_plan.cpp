@@ -84,7 +84,7 @@ CarryPlan plan_carry(const robot::ArmDescription& arm, const Parameters& paramet
 
   CarryPlan best;
   best.clearance = -std::numeric_limits<double>::infinity();
-  robot::ReachStatus status = robot::ReachStatus::kReachable;
+  std::string unreachable;  // of the way that was tried last
   for (double back = carry.retract_min; back < carry.retract_max + 0.5 * kRetractStep; back += kRetractStep) {
     for (const double along_arm : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const double slope = (p_CG.x() - column.x()) / std::max(0.01, p_CG.y() - column.y());
@@ -95,7 +95,7 @@ CarryPlan plan_carry(const robot::ArmDescription& arm, const Parameters& paramet
       path.line_to(around_column(arm, place_radius, carry.place_yaw, z), motion.near_step, motion.near_speed);
       path.line_to(around_column(arm, place_radius, carry.place_yaw, place_z), motion.near_step, motion.lift_speed);
       if (!path.reachable()) {
-        status = path.status();
+        unreachable = path.trouble();
         continue;
       }
       const double clearance = path_clearance(arm, carry, grip, object, start, path.moves());
@@ -107,7 +107,7 @@ CarryPlan plan_carry(const robot::ArmDescription& arm, const Parameters& paramet
     }
   }
   if (best.moves.empty()) {
-    best.trouble = std::string("the way to the side table is ") + robot::describe(status);
+    best.trouble = "the way to the side table is " + unreachable;
   } else if (best.clearance < carry.clearance) {
     best.trouble = fmt::format("on the way out it would come within {:.1f} mm of its neighbours, allowed: {:.1f} mm",
                                1000.0 * best.clearance, 1000.0 * carry.clearance);

@@ -15,7 +15,7 @@ std::string trouble_after_the_grip(const robot::ArmDescription& arm, const Param
   const Eigen::Vector3d p_CG = p_CT + grip.p_TG;
   const robot::JointVector q_grip = robot::inverse_kinematics(arm, p_CG, 0.0).q;
   const PosturePath up = plan_lift(arm, parameters, grip, q_grip, p_CG, parameters.lift.height, closed);
-  if (!up.reachable()) return std::string("it could not be lifted: ") + robot::describe(up.status());
+  if (!up.reachable()) return "it could not be lifted: " + up.trouble();
   if (!carry) return "";
   const CarryPlan plan = plan_carry(arm, parameters, grip, {p_CT, q_grip}, up.end(), closed);
   return plan.trouble.empty() ? "" : "it could not be carried: " + plan.trouble;

@@ -3,6 +3,7 @@
 // Postures in a row along straight lines of the grip point, by inverse kinematics.
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "common/robot/arm_kinematics.hpp"
@@ -20,7 +21,7 @@ struct Move {
   double dwell = 0.0;    // s, to wait there
 };
 
-// Builds a path from a posture. After the first point that cannot be reached it keeps that status and adds nothing.
+// Builds a path from a posture. After the first point that cannot be reached it keeps why, and adds nothing.
 class PosturePath {
  public:
   // `opening`: the gripper's at the start, m; `joint_margin`: rad inside the joints' limits.
@@ -35,8 +36,9 @@ class PosturePath {
   // Adds a motion of the gripper to `opening` (m), and a wait of `dwell` (s).
   void gripper_to(double opening, double dwell);
 
-  robot::ReachStatus status() const { return status_; }
-  bool reachable() const { return status_ == robot::ReachStatus::kReachable; }
+  bool reachable() const { return trouble_.empty(); }
+  // Why that point cannot be reached, with the numbers (robot::why_unreachable); empty where all can.
+  const std::string& trouble() const { return trouble_; }
   const robot::JointVector& end() const { return end_; }
   Eigen::Vector3d end_point() const { return robot::grip_point(arm_, end_); }  // m in C
   const std::vector<Move>& moves() const { return moves_; }
@@ -48,7 +50,7 @@ class PosturePath {
   robot::JointVector end_;
   double opening_;
   double joint_margin_;
-  robot::ReachStatus status_ = robot::ReachStatus::kReachable;
+  std::string trouble_;
   std::vector<Move> moves_;
 };
 

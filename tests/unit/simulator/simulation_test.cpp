@@ -139,6 +139,22 @@ TEST(Simulation, ACommandThatJumpsAwayFromTheOneBeforeItIsNotObeyedUntilTheArmSt
   EXPECT_EQ(tell(5, 0.15).verdict, CommandVerdict::kObeyed) << "0.3 s without a command: it stands";
 }
 
+TEST(Simulation, AfterAResetACommandMayBeginAnywhereNearTheShaftsAlthoughNothingWasLatched) {
+  Simulation simulation = test_simulation(Timing::kRealTime);
+  release(simulation);
+  simulation.expose(1);
+  const auto tell = [&](std::int64_t seq, double elbow) {
+    const robot::JointVector q = test_robot().arm->home + robot::JointVector(0.0, 0.0, elbow);
+    return simulation.command({{kWriter, seq, simulation.utime()}, kSession}, 1, posture(q, 0.05, 0.2)).verdict;
+  };
+  simulation.step();
+  ASSERT_EQ(tell(1, 0.0), CommandVerdict::kObeyed);
+  simulation.step();
+  ASSERT_EQ(tell(2, 0.15), CommandVerdict::kJumps);
+  release(simulation);
+  EXPECT_EQ(tell(3, 0.15), CommandVerdict::kObeyed);
+}
+
 TEST(Simulation, TwoWritersOfCommandsLatchUntilOneIsAlone) {
   Simulation simulation = test_simulation();
   release(simulation);

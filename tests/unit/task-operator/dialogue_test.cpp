@@ -83,10 +83,8 @@ TEST(StartDialogue, IsNotSentWhileAStopIsLatched) {
 }
 
 TEST(StartDialogue, NamesTheCommandThatWasTyped) {
-  EXPECT_EQ(command_name("build/release/bin/task-operator"), "scripts/task");
-  EXPECT_EQ(command_name(""), "scripts/task");
   Parameters parameters;
-  parameters.command = command_name("markservo task");
+  parameters.command = "markservo task";
   Dialogue dialogue(Action::kStart, {"arm"}, parameters);
   dialogue.observe(arm(false));
   dialogue.observe(task(Phase::kServo, Answers::kAnother), 0.0);
