@@ -74,7 +74,7 @@ class LearnCommand : public ::testing::Test {
   double found_u(const std::string& picture) const {
     const auto json = nlohmann::json::parse(run("--image " + picture, "/dev/null").text);
     for (const auto& mark : json["marks"]) {
-      if (mark["name"] == "red_book" && mark["reason"] == "") return mark["left"]["u"];
+      if (mark["name"] == "red_book" && mark["reason"].get<std::string>().empty()) return mark["left"]["u"];
     }
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -1,16 +1,25 @@
 #include "services/recorder/logger/logger_arguments.hpp"
 
 #include <gtest/gtest.h>
+#include <lcm/lcm.h>
 
 #include <algorithm>
-#include <regex>
+#include <memory>
 
 namespace markservo::recorder {
 namespace {
 
-// As lcm-logger takes it: of the whole name.
+// As liblcm takes it, whose subscriptions lcm-logger's are.
 bool takes(const std::string& expression, const std::string& channel) {
-  return std::regex_match(channel, std::regex(expression));
+  const std::unique_ptr<lcm_t, decltype(&lcm_destroy)> lcm(lcm_create("memq://"), &lcm_destroy);
+  bool heard = false;
+  const auto handler = [](const lcm_recv_buf_t* /*message*/, const char* /*channel*/, void* user) {
+    *static_cast<bool*>(user) = true;
+  };
+  lcm_subscribe(lcm.get(), expression.c_str(), handler, &heard);
+  lcm_publish(lcm.get(), channel.c_str(), "", 0);
+  lcm_handle_timeout(lcm.get(), 0);
+  return heard;
 }
 
 TEST(ReceiveBuffer, IsAskedForWhereTheUrlDoesNot) {
