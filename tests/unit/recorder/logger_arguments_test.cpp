@@ -4,6 +4,7 @@
 #include <lcm/lcm.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 
 namespace markservo::recorder {
@@ -68,7 +69,7 @@ TEST(ChannelExpression, LeavesFramesOut) {
 }
 
 TEST(UnwrittenMegabytes, AreAQuarterOfTheMemoryWithinLimits) {
-  EXPECT_EQ(unwritten_megabytes(4096 * 700), 700);
+  EXPECT_EQ(unwritten_megabytes(std::int64_t{4096} * 700), 700);
   EXPECT_EQ(unwritten_megabytes(0), 100);
   EXPECT_EQ(unwritten_megabytes(std::int64_t{4096} * 1'000'000), 1000);
 }
@@ -76,11 +77,11 @@ TEST(UnwrittenMegabytes, AreAQuarterOfTheMemoryWithinLimits) {
 TEST(LoggerArguments, SplitOnlyWhereAskedTo) {
   RecordingPlan plan;
   plan.lcm_url = "udpm://?ttl=0";
-  std::vector<std::string> arguments = logger_arguments(plan, 4096 * 700, "/logs/a b/log.lcm");
+  std::vector<std::string> arguments = logger_arguments(plan, std::int64_t{4096} * 700, "/logs/a b/log.lcm");
   EXPECT_EQ(arguments, (std::vector<std::string>{"--lcm-url=udpm://?ttl=0", "--channel=.*", "--max-unwritten-mb=700",
                                                  "--flush-interval=250", "/logs/a b/log.lcm"}));
   plan.split_mb = 500;
-  arguments = logger_arguments(plan, 4096 * 700, "/logs/a b/log.lcm");
+  arguments = logger_arguments(plan, std::int64_t{4096} * 700, "/logs/a b/log.lcm");
   EXPECT_EQ(std::count(arguments.begin(), arguments.end(), "-i"), 1);
   EXPECT_EQ(std::count(arguments.begin(), arguments.end(), "--split-mb=500"), 1);
   EXPECT_EQ(arguments.back(), "/logs/a b/log.lcm");
