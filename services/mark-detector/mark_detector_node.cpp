@@ -16,7 +16,6 @@
 #include "services/mark-detector/mark_option.hpp"
 #include "services/mark-detector/picture/jpeg_size.hpp"
 #include "services/mark-detector/picture/picture.hpp"
-#include "services/mark-detector/picture/picture_file.hpp"
 
 namespace markservo::mark_detector {
 namespace {
@@ -32,8 +31,10 @@ void require_frame_size(const StereoFrame& frame, const JpegSize& size, const ch
                            " x " + std::to_string(frame.height) + " px");
 }
 
-// One side of a frame as an image; raw sides are not copied and must outlive it. Throws std::runtime_error.
-cv::Mat decode(const StereoFrame& frame, const std::vector<std::uint8_t>& side, const char* name) {
+// One side of a frame as an image; raw sides are not copied and must outlive it, as must the decoder. Throws
+// std::runtime_error.
+cv::Mat decode(const StereoFrame& frame, const std::vector<std::uint8_t>& side, const char* name,
+               JpegDecoder& decoder) {
   if (frame.encoding == StereoFrame::ENCODING_BGR8) {
     return {frame.height, frame.width, CV_8UC3, const_cast<std::uint8_t*>(side.data())};
   }
@@ -41,9 +42,8 @@ cv::Mat decode(const StereoFrame& frame, const std::vector<std::uint8_t>& side, 
   const std::optional<JpegSize> size = jpeg_size(side);
   if (!size) throw not_a_jpeg(name);
   require_frame_size(frame, *size, name);
-  cv::Mat image = decode_picture(side);
+  cv::Mat image = decoder.unpack(side, {frame.width, frame.height});
   if (image.empty()) throw not_a_jpeg(name);
-  require_frame_size(frame, {image.cols, image.rows}, name);  // OpenCV may turn it as its EXIF says
   return image;
 }
 
@@ -135,8 +135,8 @@ void MarkDetectorNode::start(bus::Bus& bus) {
 void MarkDetectorNode::on_frame(const StereoFrame& frame) {
   // Unpacking a JPEG takes longer than finding the marks in it. Raw sides are not even copied: no thread for them.
   const auto policy = frame.encoding == StereoFrame::ENCODING_JPEG ? std::launch::async : std::launch::deferred;
-  auto right_side = std::async(policy, [&frame] { return decode(frame, frame.right, "right"); });
-  const cv::Mat left = decode(frame, frame.left, "left");
+  auto right_side = std::async(policy, [&] { return decode(frame, frame.right, "right", jpeg_decoders_[1]); });
+  const cv::Mat left = decode(frame, frame.left, "left", jpeg_decoders_[0]);
   const cv::Mat right = right_side.get();
   Input input;
   input.left = view_of(left);

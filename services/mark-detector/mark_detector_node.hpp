@@ -3,6 +3,7 @@
 // Reads STEREO_FRAME, writes MARK_DETECTION: one for each frame that is worked on. Or, without a bus, looks at a
 // picture or learns a mark's colour.
 
+#include <array>
 #include <markservo/channels.hpp>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "common/bus/service.hpp"
 #include "services/mark-detector/learning/learn_options.hpp"
 #include "services/mark-detector/mark_detector.hpp"
+#include "services/mark-detector/picture/jpeg_decoder.hpp"
 #include "services/mark-detector/picture/picture_options.hpp"
 
 namespace markservo::mark_detector {
@@ -36,6 +38,7 @@ class MarkDetectorNode final : public bus::Service {
   Parameters parameters_;
   std::optional<MarkDetector> detector_;
   State state_;
+  std::array<JpegDecoder, 2> jpeg_decoders_;  // left, right: both at once
   std::optional<bus::Publisher<MarkDetection>> publisher_;
 };
 

@@ -1,0 +1,87 @@
+#include "services/mark-detector/picture/jpeg_decoder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace markservo::mark_detector {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// Colours that change along both axes, with an edge.
+cv::Mat scene(cv::Size size) {
+  cv::Mat image(size, CV_8UC3);
+  for (int v = 0; v < size.height; ++v) {
+    for (int u = 0; u < size.width; ++u) {
+      image.at<cv::Vec3b>(v, u) = {static_cast<std::uint8_t>(3 * u), static_cast<std::uint8_t>(2 * v),
+                                   static_cast<std::uint8_t>(u > size.width / 2 ? 220 : 30)};
+    }
+  }
+  return image;
+}
+
+Bytes jpeg_of(const cv::Mat& image, const std::vector<int>& parameters = {}) {
+  Bytes bytes;
+  cv::imencode(".jpg", image, bytes, parameters);
+  return bytes;
+}
+
+int most_different(const cv::Mat& a, const cv::Mat& b) {
+  return static_cast<int>(cv::norm(a, b, cv::NORM_INF));
+}
+
+TEST(JpegDecoder, GivesThePixelsThatOpenCvDoes) {
+  JpegDecoder decoder;
+  cv::Mat grey;
+  cv::cvtColor(scene({75, 49}), grey, cv::COLOR_BGR2GRAY);
+  for (const Bytes& bytes :
+       {jpeg_of(scene({75, 49})), jpeg_of(scene({75, 49}), {cv::IMWRITE_JPEG_PROGRESSIVE, 1}), jpeg_of(grey)}) {
+    const cv::Mat unpacked = decoder.unpack(bytes, {75, 49});
+    ASSERT_EQ(unpacked.size(), cv::Size(75, 49));
+    ASSERT_EQ(unpacked.type(), CV_8UC3);
+    EXPECT_EQ(most_different(unpacked, cv::imdecode(bytes, cv::IMREAD_COLOR)), 0);
+  }
+}
+
+TEST(JpegDecoder, TakesPicturesOfChangingSizes) {
+  JpegDecoder decoder;
+  for (const cv::Size size : {cv::Size(64, 48), cv::Size(1, 1), cv::Size(320, 17), cv::Size(64, 48)}) {
+    const Bytes bytes = jpeg_of(scene(size));
+    EXPECT_EQ(most_different(decoder.unpack(bytes, size), cv::imdecode(bytes, cv::IMREAD_COLOR)), 0);
+  }
+}
+
+TEST(JpegDecoder, RefusesWhatIsNone) {
+  JpegDecoder decoder;
+  EXPECT_TRUE(decoder.unpack({}, {64, 48}).empty());
+  EXPECT_TRUE(decoder.unpack({0xFF, 0xD8, 0xFF, 0x00}, {64, 48}).empty());
+  EXPECT_TRUE(decoder.unpack(Bytes(1000, 'x'), {64, 48}).empty());
+  Bytes headless = jpeg_of(scene({64, 48}));
+  headless.resize(40);
+  EXPECT_TRUE(decoder.unpack(headless, {64, 48}).empty());
+}
+
+TEST(JpegDecoder, RefusesAnotherSizeThanAsked) {
+  JpegDecoder decoder;
+  const Bytes bytes = jpeg_of(scene({64, 48}));
+  EXPECT_TRUE(decoder.unpack(bytes, {32, 24}).empty()) << "it could scale, but shall not";
+  EXPECT_TRUE(decoder.unpack(bytes, {48, 64}).empty());
+  EXPECT_FALSE(decoder.unpack(bytes, {64, 48}).empty());
+}
+
+TEST(JpegDecoder, ShowsNothingOfThePictureBeforeWhereAFileEndsTooEarly) {
+  JpegDecoder decoder;
+  decoder.unpack(jpeg_of(cv::Mat(480, 640, CV_8UC3, cv::Scalar(255, 255, 255))), {640, 480});
+  Bytes cut = jpeg_of(scene({640, 480}));
+  cut.resize(cut.size() / 2);
+  const cv::Mat unpacked = decoder.unpack(cut, {640, 480});
+  ASSERT_FALSE(unpacked.empty());
+  EXPECT_LT(most_different(unpacked.row(0), scene({640, 480}).row(0)), 80);
+  JpegDecoder other;
+  EXPECT_EQ(most_different(unpacked, other.unpack(cut, {640, 480})), 0);
+}
+
+}  // namespace
+}  // namespace markservo::mark_detector
