@@ -1,5 +1,22 @@
 # The three kinds of target in this project; each adds the compiler's strict settings.
 
+# markservo_precompiled(name header lib ...): a header compiled once, which other targets take over; needs these libraries.
+function(markservo_precompiled name header)
+  if(MARKSERVO_PRECOMPILE)
+    # It belongs to a target, and a target has a source.
+    add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/common/precompiled/precompiled.cpp)
+    target_link_libraries(${name} PRIVATE ${ARGN} markservo_options)
+    target_precompile_headers(${name} PRIVATE ${header})
+  endif()
+endfunction()
+
+# Takes over `precompiled` or `precompiled_tests`.
+function(markservo_precompile name header)
+  if(TARGET ${header})
+    target_precompile_headers(${name} REUSE_FROM ${header})
+  endif()
+endfunction()
+
 # markservo_library(name SOURCES a.cpp ... LINK lib ... LINK_PRIVATE lib ...): a static library. LINK: what its headers
 # need as well.
 function(markservo_library name)
@@ -7,6 +24,7 @@ function(markservo_library name)
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_LINK_PRIVATE} $<BUILD_INTERFACE:markservo_options>)
   target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+  markservo_precompile(${name} precompiled)
 endfunction()
 
 # markservo_executable(name SOURCES main.cpp ... LINK lib ...): an executable in <build>/bin.
@@ -14,6 +32,7 @@ function(markservo_executable name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} markservo_options)
+  markservo_precompile(${name} precompiled)
 endfunction()
 
 # markservo_test(name SOURCES a_test.cpp ... LINK lib ... [WHOLE] [ENVIRONMENT NAME=VALUE]): a GoogleTest executable. ctest knows each of its tests
@@ -23,6 +42,7 @@ function(markservo_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "WHOLE" "ENVIRONMENT" "SOURCES;LINK")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest_main markservo_options)
+  markservo_precompile(${name} precompiled_tests)
   target_compile_definitions(${name} PRIVATE MARKSERVO_SOURCE_DIR="${PROJECT_SOURCE_DIR}" MARKSERVO_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
   if(arg_WHOLE)
     add_test(NAME ${name} COMMAND ${name})
