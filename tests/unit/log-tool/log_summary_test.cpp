@@ -88,7 +88,7 @@ TEST(CsvColumns, GiveEveryFieldAColumnAndQuoteWhatNeedsIt) {
 
 TEST(CsvColumns, WriteANumberThatHasANameByItsName) {
   reflection::Field field;
-  field.value_names = {"HOLD", "SERVO"};
+  field.value_names = {{0, "HOLD"}, {1, "SERVO"}};
   CsvColumns columns;
   columns.learn({{"state", {std::int64_t{0}}, &field}});
   EXPECT_EQ(columns.row(7, {{"state", {std::int64_t{1}}, &field}}), "7,SERVO\n");
