@@ -58,7 +58,7 @@ void subscribe_to(lcm::LCM& lcm, Subscription* subscription) {
 
 Bus::Bus(BusParameters parameters) : parameters_(std::move(parameters)) {
   const BusUrls& urls = parameters_.urls;
-  replaying_ = is_file(urls.in) && urls.in.find("mode=w") == std::string::npos;
+  replaying_ = is_file(urls.in) && !is_written_file(urls.in);
   session_ = random_session();
   if (parameters_.source) session_ = source_session(parameters_.service_name);
   if (replaying_) session_ = replay_session(file_path(urls.in), parameters_.service_name);
@@ -102,14 +102,21 @@ void Bus::on_raw(const std::string& channel, RawSubscription::Handler handler) {
 }
 
 bool Bus::publish_raw(const std::string& channel, const void* data, std::size_t size) {
-  return send(full_channel(channel), data, size);
+  return send({full_channel(channel), data, size, 0});
 }
 
-bool Bus::send(const std::string& full_channel, const void* data, std::size_t size) {
-  if (out_->publish(full_channel, data, size, steady_clock::now())) return true;
+// What tells no time of its own, a STOP before anything was heard, happens now, as the messages have it.
+std::int64_t Bus::event_time(const Outgoing& message) const {
+  if (message.utime > 0) return message.utime;
+  return newest_utime() > 0 ? newest_utime() : wall_clock_us();
+}
+
+bool Bus::send(const Outgoing& message) {
+  if (out_->publish({message.channel, message.data, message.size, event_time(message)}, steady_clock::now()))
+    return true;
   // A network comes back. A log that cannot be written is a failure, and a tool does not wait.
   if (is_file(out_->url()) || !parameters_.waits_for_network) {
-    throw std::runtime_error("publish on " + full_channel +
+    throw std::runtime_error("publish on " + message.channel +
                              ": the bus refused the message: " + out_->refused_sends(steady_clock::now()).reason);
   }
   return false;

@@ -65,10 +65,11 @@ class Player {
   void send(const Event& event) {
     const auto now = std::chrono::steady_clock::now();
     connection_.mend(now);
-    if (connection_.publish(std::string(event.channel), event.data.data, event.data.size, now)) {
+    const std::string channel(event.channel);
+    if (connection_.publish({channel, event.data.data, event.data.size, event.utime}, now)) {
       ++sent_;
     } else if (failed_++ == 0) {
-      first_failure_ = reflection::printable(std::string(event.channel)) + " of " + std::to_string(event.data.size) +
+      first_failure_ = reflection::printable(channel) + " of " + std::to_string(event.data.size) +
                        " bytes: " + connection_.refused_sends(now).reason;
     }
   }

@@ -51,9 +51,9 @@ struct Options {
 class Outlet final : public markservo::bus::MessageSink {
  public:
   Outlet(lcm::LCM* lcm, std::vector<std::string> only) : lcm_(lcm), only_(std::move(only)) {}
-  bool send(const std::string& channel, const void* data, std::size_t size) override {
-    if (!only_.empty() && std::find(only_.begin(), only_.end(), channel) == only_.end()) return true;
-    return lcm_->publish(channel, data, static_cast<unsigned int>(size)) >= 0;
+  bool send(const markservo::bus::Outgoing& message) override {
+    if (!only_.empty() && std::find(only_.begin(), only_.end(), message.channel) == only_.end()) return true;
+    return lcm_->publish(message.channel, message.data, static_cast<unsigned int>(message.size)) >= 0;
   }
 
  private:
