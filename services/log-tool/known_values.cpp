@@ -63,8 +63,9 @@ void look_into(Value& value) {
 }  // namespace
 
 void leave_out_unknown(Fields& fields) {
+  const bool is_ours = fields.type->package == reflection::kOurPackage;
   for (const Condition& condition : conditions()) {
-    if (fields.type->name == condition.type && !holds(condition, fields)) leave_out(condition, fields);
+    if (is_ours && fields.type->name == condition.type && !holds(condition, fields)) leave_out(condition, fields);
   }
   for (Value& value : fields.values) look_into(value);
 }
