@@ -11,8 +11,11 @@ constexpr const char* kAllowed =
     "; allowed: a channel's name, or a Perl-compatible regular expression of the whole name";
 
 [[noreturn]] void complain(const std::string& text, GError* error) {
-  const std::string why = error->message;
+  const std::string message = error->message;
   g_error_free(error);
+  // GLib says the expression again, between quotation marks that are no ASCII: the reason is behind that.
+  const std::size_t reason = message.rfind(": ");
+  const std::string why = reason == std::string::npos ? message : message.substr(reason + 2);
   throw std::invalid_argument("channel pattern '" + text + "': " + why + kAllowed);
 }
 

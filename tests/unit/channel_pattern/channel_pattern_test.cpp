@@ -67,10 +67,10 @@ TEST(ChannelPattern, TakesNamesOfAnyBytesButZero) {
 }
 
 TEST(ChannelPattern, SaysWhatIsNone) {
-  EXPECT_EQ(complaint("A)|(B"),
-            "channel pattern 'A)|(B': Error while compiling regular expression ‘A)|(B’ at char 1: unmatched closing "
-            "parenthesis; allowed: a channel's name, or a Perl-compatible regular expression of the whole name");
-  EXPECT_NE(complaint("(").find("missing terminating )"), std::string::npos);
+  EXPECT_EQ(complaint("("),
+            "channel pattern '(': missing terminating ); allowed: a channel's name, or a Perl-compatible regular "
+            "expression of the whole name");
+  EXPECT_NE(complaint("A)|(B").find("parenthes"), std::string::npos) << complaint("A)|(B");
   EXPECT_NE(complaint("A\\").find("allowed: a channel's name"), std::string::npos);
   EXPECT_NE(complaint(std::string("A\0B", 3)).find("zero byte"), std::string::npos);
 }
