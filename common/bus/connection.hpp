@@ -43,7 +43,7 @@ class Connection {
   // The bus is read no more, or hears nothing: mend() opens it anew.
   void lose(const std::string& why, Time now);
 
-  // False counts the message as refused; it is not kept. Whatever is sent next is tried again.
+  // False if the network refuses the message, which is counted; it is not kept. Whatever is sent next is tried again.
   bool publish(const Outgoing& message, Time now);
 
   // As lcm::LCM::handleTimeout(): above 0 if a message was handled, below when it cannot be read.

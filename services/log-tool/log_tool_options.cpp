@@ -7,7 +7,10 @@ namespace markservo::log_tool {
 
 using Add = bus::Options;
 
-Commands::Commands(bus::CommandLine& command_line, const Actions& actions) : command_line_(&command_line) {
+Commands::Commands(bus::CommandLine& command_line, const text::TypedCommand& typed, const Actions& actions)
+    : command_line_(&command_line) {
+  options_.play.own_name = typed.name_or(options_.play.own_name);
+  options_.play.log_command = typed.of("log");
   add_readers(actions);
   add_writers(actions);
   add_joiners(actions);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/bus/command_line.hpp"
+#include "common/text/typed_command.hpp"
 #include "services/log-tool/event_choice.hpp"
 #include "services/log-tool/log_comparison.hpp"
 #include "services/log-tool/play_node.hpp"
@@ -47,7 +48,8 @@ struct Actions {
 // The commands and their options.
 class Commands {
  public:
-  Commands(bus::CommandLine& command_line, const Actions& actions);
+  // `typed`: by what name a person knows this tool.
+  Commands(bus::CommandLine& command_line, const text::TypedCommand& typed, const Actions& actions);
 
   // Does the one that was chosen.
   int run() const { return action_(options_); }

@@ -11,6 +11,7 @@
 #include "common/bus/exit_code.hpp"
 #include "common/reflection/type_files.hpp"
 #include "common/reflection/value_text.hpp"
+#include "common/text/typed_command.hpp"
 #include "services/log-tool/comparison_report.hpp"
 #include "services/log-tool/export_command.hpp"
 #include "services/log-tool/extract_config_command.hpp"
@@ -180,13 +181,15 @@ int main(int argc, char** argv) {
       "folder. A PATTERN is a channel's name, or a Perl-compatible regular expression of the whole name.\n"
       "Exits 0 when all is well, 1 for a damaged log, a difference or a bus in use, 2 for what is no log or a wrong\n"
       "option, 3 for a bus that cannot be joined.");
-  Commands commands(command_line, {info, verify, types, repair, cut, merge_logs, sort_log, splice, export_log, extract,
-                                   compare_logs, play_log});
+  const markservo::text::TypedCommand typed(argc > 0 ? argv[0] : "");
+  Commands commands(
+      command_line, typed,
+      {info, verify, types, repair, cut, merge_logs, sort_log, splice, export_log, extract, compare_logs, play_log});
   if (const auto exit_code = command_line.parse(argc, argv)) return *exit_code;
   try {
     return commands.run();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "log-tool: %s\n", error.what());
+    std::fprintf(stderr, "%s: %s\n", typed.name_or("log-tool").c_str(), error.what());
     if (dynamic_cast<const markservo::bus::BusUnavailable*>(&error) != nullptr) return kNoBus;
     return dynamic_cast<const BusInUse*>(&error) != nullptr ? kBusInUse : kBadInput;
   }

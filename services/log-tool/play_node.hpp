@@ -25,6 +25,9 @@ struct PlayOptions {
   std::optional<double> longest_gap;  // s of the log that are waited at most where nothing was logged
   bool all = false;
   bool join = false;
+  // For what is said: who says it, and what a person types to look into a log.
+  std::string own_name = "log-tool";
+  std::string log_command = "scripts/log";
 };
 
 // Plays what plan_of() lets through, at the recorded pace, until the end or a signal; says on standard output what is

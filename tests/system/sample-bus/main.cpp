@@ -142,10 +142,10 @@ class SampleBus {
     joints.utime = utime;
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(joints.getEncodedSize()));
     joints.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-    outlet_.send(channels::kJointState.name, bytes.data(), bytes.size() - 1);
+    outlet_.send({channels::kJointState.name, bytes.data(), bytes.size() - 1, utime});
     std::array<std::uint8_t, 24> foreign{};
     foreign.fill(0x5a);
-    outlet_.send("FOREIGN", foreign.data(), foreign.size());
+    outlet_.send({"FOREIGN", foreign.data(), foreign.size(), utime});
   }
 
   Outlet outlet_;
