@@ -24,7 +24,7 @@ TimeSteps time_steps(const std::vector<Event>& events) {
     const std::int64_t before = events[i - 1].utime;
     const double step_s = seconds_apart(before, events[i].utime);
     if (step_s < 0.0) ++steps.back;
-    steps.farthest_back = std::max(steps.farthest_back, -step_s);
+    steps.farthest_back = std::max(steps.farthest_back, -seconds_apart(newest, events[i].utime));
     if (events[i].utime < newest) ++steps.late;
     newest = std::max(newest, events[i].utime);
     if (jumps(step_s)) {

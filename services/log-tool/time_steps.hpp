@@ -32,7 +32,7 @@ struct Silence {
 
 struct TimeSteps {
   std::int64_t back = 0;          // events that are earlier than the one before
-  double farthest_back = 0.0;     // s
+  double farthest_back = 0.0;     // s that an event is earlier than the newest before it
   std::int64_t late = 0;          // events that are earlier than some event before: what sorting would move
   std::int64_t jumps = 0;         // where the player does not wait, see jumps()
   std::vector<Silence> silences;  // above kSilence_s, without the jumps, in the log's order

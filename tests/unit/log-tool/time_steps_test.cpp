@@ -57,6 +57,12 @@ TEST(TimeSteps, TakeALittleDisorderForNoJump) {
   EXPECT_EQ(disorder_text(steps), "2 times back, by up to 0.2 s: 2 events are out of order");
 }
 
+TEST(TimeSteps, GoFarBackBySmallStepsToo) {
+  std::vector<std::int64_t> backwards;
+  for (std::int64_t i = 40; i > 0; --i) backwards.push_back(50'000 * i);
+  EXPECT_EQ(disorder_text(steps_of(backwards)), "39 times back, by up to 1.9 s: 39 events are out of order");
+}
+
 TEST(TimeSteps, AreToldInTheUnitThatFits) {
   EXPECT_EQ(duration_text(0.0), "0.0 s");
   EXPECT_EQ(duration_text(0.0035), "3.5 ms");
