@@ -65,7 +65,7 @@ std::string legend(const LogSummary& summary) {
 // What of the log's time a replay makes something of.
 std::string time_text(const TimeSteps& steps) {
   std::string text;
-  if (steps.back > 0) {
+  if (steps.farthest_back > kDisorder_s) {
     text += "time goes " + disorder_text(steps) + "; a replay keeps the log's order (--sort: by time)\n";
   }
   if (!steps.silences.empty()) {

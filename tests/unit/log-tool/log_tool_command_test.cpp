@@ -248,6 +248,14 @@ TEST_F(Order, OfALogWhoseSecondHalfStandsFirstIsToldAndMended) {
   EXPECT_EQ(sorted(), payloads_of(events));
 }
 
+TEST_F(Order, OfARecordingWithLargeMessagesIsNotWorthAWord) {
+  auto events = two_channels(40);
+  events[20].utime -= 150'000;  // 50 ms earlier than the one before
+  EXPECT_EQ(info_of(events)["non_monotonic"], 1) << "programs are told";
+  const std::string text = run("info " + path("log")).output;
+  EXPECT_EQ(text.find("time goes"), std::string::npos) << text;
+}
+
 TEST_F(Order, OfEveryChannelBehindTheOtherIsToldAndMended) {
   const auto events = two_channels(40);
   auto by_channel = events;
