@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-struct _GRegex;
+struct _GRegex;  // NOLINT(bugprone-reserved-identifier): what GLib calls its GRegex
 
 namespace markservo {
 
