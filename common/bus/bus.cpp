@@ -102,15 +102,21 @@ void Bus::on_raw(const std::string& channel, RawSubscription::Handler handler) {
 }
 
 bool Bus::publish_raw(const std::string& channel, const void* data, std::size_t size) {
-  return send(full_channel(channel), data, size);
+  return send({full_channel(channel), data, size, 0});
 }
 
-bool Bus::send(const std::string& full_channel, const void* data, std::size_t size) {
+// What tells no time of its own, a STOP before anything was heard, happens now, as the messages have it.
+std::int64_t Bus::event_time(const Outgoing& message) const {
+  if (message.utime > 0) return message.utime;
+  return newest_utime() > 0 ? newest_utime() : wall_clock_us();
+}
+
+bool Bus::send(const Outgoing& message) {
   Connection& out = network_->out();
-  if (out.publish(full_channel, data, size, steady_clock::now())) return true;
+  if (out.publish({message.channel, message.data, message.size, event_time(message)}, steady_clock::now())) return true;
   // A network comes back. A log that cannot be written is a failure, and a tool does not wait.
   if (is_file(out.url()) || !parameters_.waits_for_network) {
-    throw std::runtime_error("publish on " + full_channel +
+    throw std::runtime_error("publish on " + message.channel +
                              ": the bus refused the message: " + out.refused_sends(steady_clock::now()).reason);
   }
   return false;

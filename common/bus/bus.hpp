@@ -145,7 +145,8 @@ class Bus final : private SubscriptionHost, private MessageSink {
   }
   void attach(std::unique_ptr<Subscription> subscription);
   std::string full_channel(const std::string& channel) const;
-  bool send(const std::string& full_channel, const void* data, std::size_t size) override;
+  bool send(const Outgoing& message) override;
+  std::int64_t event_time(const Outgoing& message) const;
   void subscribe_all(lcm::LCM& lcm);
   bool handle_incoming(std::chrono::milliseconds timeout);
   void look_after_health();

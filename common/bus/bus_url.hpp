@@ -16,6 +16,10 @@ struct BusUrls {
 inline bool is_file(const std::string& url) {
   return url.rfind("file://", 0) == 0;
 }
+// A log to be written, in place of one to be read.
+inline bool is_written_file(const std::string& url) {
+  return is_file(url) && url.find("mode=w") != std::string::npos;
+}
 inline bool is_udpm(const std::string& url) {
   return url.rfind("udpm://", 0) == 0;
 }

@@ -46,7 +46,7 @@ void bound_patience(int descriptor) {
 Connection::Connection(std::string url, Attach attach) : url_(std::move(url)), attach_(std::move(attach)) {}
 
 bool Connection::open() {
-  if (is_file(url_) && url_.find("mode=w") == std::string::npos && access(file_path(url_).c_str(), R_OK) != 0) {
+  if (is_file(url_) && !is_written_file(url_) && access(file_path(url_).c_str(), R_OK) != 0) {
     throw BusUnavailable("bus " + url_ + ": the log cannot be read; allowed: an existing LCM log");
   }
   return try_to_open();
@@ -64,7 +64,8 @@ bool Connection::try_to_open() {
   }
   descriptor_ = -1;
   lcm_.reset();  // the old one's descriptors first
-  auto opened = std::make_unique<lcm::LCM>(url_);
+  if (is_written_file(url_) && !log_) log_ = std::make_unique<LogOutput>(file_path(url_));
+  auto opened = std::make_unique<lcm::LCM>(log_ ? "memq://" : url_);
   if (!opened->good()) {
     throw BusUnavailable("bus " + url_ + ": cannot be joined; allowed: udpm://, tcpq://, memq:// or file:// URLs");
   }
@@ -108,24 +109,29 @@ void Connection::lose(const std::string& why, Time now) {
   asked_ = now;  // the first question after a moment: a bus that flaps is not opened again and again
 }
 
-bool Connection::publish(const std::string& channel, const void* data, std::size_t size, Time now) {
+bool Connection::publish(const Outgoing& message, Time now) {
   // liblcm would connect anew, and wait for it.
   if (is_tcpq(url_) && lcm_ && lcm_->getFileno() < 0) lose("the LCM server is gone", now);
   const bool may_send = lcm_ && !(is_tcpq(url_) && lost_);
   errno = 0;
-  bool sent = may_send && lcm_->publish(channel, data, static_cast<unsigned int>(size)) >= 0;
+  bool sent = may_send && put(message);
   const int error = may_send ? errno : ENETUNREACH;
   // liblcm 1.3.1 returns 0 for a message of several datagrams whatever became of them: errno tells.
-  if (sent && is_udpm(url_) && size >= kOneDatagram) sent = !is_refusal(error);
+  if (sent && is_udpm(url_) && message.size >= kOneDatagram) sent = !is_refusal(error);
   if (sent) return true;
   if (now - refused_at_ > kLately) refused_.lately = 0;
   refused_at_ = now;
   ++refused_.lately;
   ++refused_.total;
-  refused_.channel = channel;
+  refused_.channel = message.channel;
   refused_.reason = error == 0 ? "refused" : std::strerror(error);
   if (tells_of_loss(error)) lose(refused_.reason + "; " + multicast_route_advice(), now);
   return false;
+}
+
+bool Connection::put(const Outgoing& message) {
+  if (log_) return log_->write(message);
+  return lcm_->publish(message.channel, message.data, static_cast<unsigned int>(message.size)) >= 0;
 }
 
 int Connection::handle(milliseconds timeout) {

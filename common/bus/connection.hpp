@@ -4,7 +4,6 @@
 // who sends what is no message of ours.
 
 #include <chrono>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <lcm/lcm-cpp.hpp>
@@ -12,6 +11,8 @@
 #include <optional>
 #include <string>
 
+#include "common/bus/log_output.hpp"
+#include "common/bus/outgoing.hpp"
 #include "common/bus/reachability.hpp"
 
 namespace markservo::bus {
@@ -43,7 +44,7 @@ class Connection {
   void lose(const std::string& why, Time now);
 
   // False if the network refuses the message, which is counted; it is not kept. Whatever is sent next is tried again.
-  bool publish(const std::string& channel, const void* data, std::size_t size, Time now);
+  bool publish(const Outgoing& message, Time now);
 
   // As lcm::LCM::handleTimeout(): above 0 if a message was handled, below when it cannot be read.
   int handle(std::chrono::milliseconds timeout);
@@ -60,10 +61,12 @@ class Connection {
 
  private:
   bool try_to_open();
+  bool put(const Outgoing& message);
 
   std::string url_;
   Attach attach_;
   std::unique_ptr<lcm::LCM> lcm_;
+  std::unique_ptr<LogOutput> log_;  // of a file:// URL that is written: then `lcm_` carries and hears nothing
   int descriptor_ = -1;
   bool lost_ = false;
   std::string trouble_;

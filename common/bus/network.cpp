@@ -14,7 +14,7 @@ constexpr int kDeafAfter = 3;
 
 Network::Network(const BusUrls& urls, bool waits, Connection::Attach attach)
     : waits_(waits),
-      replaying_(is_file(urls.in) && urls.in.find("mode=w") == std::string::npos),
+      replaying_(is_file(urls.in) && !is_written_file(urls.in)),
       in_(std::make_shared<Connection>(urls.in, std::move(attach))),
       out_(urls.out == urls.in ? in_ : std::make_shared<Connection>(urls.out, nullptr)) {}
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/bus/outgoing.hpp"
 #include "common/messages/message_rules.hpp"
 
 namespace markservo::bus {
@@ -15,7 +16,7 @@ class MessageSink {
  public:
   virtual ~MessageSink() = default;
   // False if the network refused the bytes, which is counted; they are not kept.
-  virtual bool send(const std::string& full_channel, const void* data, std::size_t size) = 0;
+  virtual bool send(const Outgoing& message) = 0;
 };
 
 // Throws std::invalid_argument that names the channel and why.
@@ -41,7 +42,8 @@ class Publisher {
     buffer_.resize(static_cast<std::size_t>(message.getEncodedSize()));
     const int size = message.encode(buffer_.data(), 0, static_cast<int>(buffer_.size()));
     if (size < 0) refuse("a length field disagrees with its vector");
-    sink_->send(channel_, buffer_.data(), static_cast<std::size_t>(size));
+    sink_->send(
+        {channel_, buffer_.data(), static_cast<std::size_t>(size), messages::identity_of(message).utime.value_or(0)});
     ++seq_;
   }
 

@@ -1,7 +1,11 @@
 #include "common/reflection/lcm_language.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstdlib>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -99,55 +103,39 @@ bool counts(const Field& field) {
                                       field.kind == Kind::kInt32 || field.kind == Kind::kInt64);
 }
 
-Dimension parse_dimension(Tokens& tokens, const MessageType& type) {
-  constexpr std::size_t kMostDigits = 9;  // of a constant size: arrays beyond that are no message
-  Dimension dimension;
-  dimension.text = tokens.take();
-  if (dimension.text.find_first_not_of("0123456789") == std::string::npos && dimension.text.size() <= kMostDigits) {
-    dimension.size = std::stoll(dimension.text);
-  } else {
-    dimension.length_field = field_index(type, dimension.text);
-    if (dimension.length_field < 0 || !counts(type.fields[static_cast<std::size_t>(dimension.length_field)])) {
-      tokens.complain("array size '" + dimension.text + "'", "a whole number or an integer field before it");
-    }
-  }
-  tokens.expect("]");
-  return dimension;
+// As lcm-gen reads it: decimal, hexadecimal (0x) or octal (0). Nothing for what is no such number, or no int64_t.
+std::optional<std::int64_t> integer_of(const std::string& text) {
+  char* end = nullptr;
+  errno = 0;
+  const long long number = std::strtoll(text.c_str(), &end, 0);
+  if (text.empty() || *end != '\0' || errno != 0) return std::nullopt;
+  return number;
 }
 
-void parse_fields(Tokens& tokens, MessageType& type) {
-  const std::string type_name = tokens.name();
-  const auto primitive = primitives().find(type_name);
-  do {
-    Field field;
-    field.name = tokens.name();
-    field.kind = primitive != primitives().end() ? primitive->second : Kind::kMessage;
-    field.type_name = type_name;
-    if (field.kind == Kind::kMessage && type_name.find('.') == std::string::npos && !type.package.empty()) {
-      field.type_name = type.package + "." + type_name;
-    }
-    if (field_index(type, field.name) >= 0) tokens.complain("a second field '" + field.name + "'", "a new name");
-    while (tokens.take_if("[")) field.dimensions.push_back(parse_dimension(tokens, type));
-    type.fields.push_back(std::move(field));
-  } while (tokens.take_if(","));
-  tokens.expect(";");
-}
-
-// The rows of constants that may name a field's values.
-class ConstantRows {
+// The constants of a type: they are no fields, but give arrays their sizes, and fields' values their names.
+class Constants {
  public:
   // Reads what follows "const".
   void parse(Tokens& tokens) {
-    tokens.take();  // the type
-    while (!tokens.take_if(";")) {
-      const std::string name = tokens.take();
-      if (!tokens.take_if("=")) continue;
+    const std::string type = tokens.name();
+    do {
+      const std::string name = tokens.name();
+      tokens.expect("=");
       std::string value;
       while (tokens.now() != "," && tokens.now() != ";") value += tokens.take();
-      tokens.take_if(",");
-      if (value == "0") rows_.emplace_back();
-      if (!rows_.empty() && value == std::to_string(rows_.back().size())) rows_.back().push_back(name);
-    }
+      const std::optional<std::int64_t> number = integer_of(value);
+      const bool is_real = type == "float" || type == "double";
+      if (!is_real && !number) tokens.complain("constant " + name + " = '" + value + "'", "a whole number");
+      if (!is_real) sizes_[name] = value;
+      if (number) extend_rows(name, *number);
+    } while (tokens.take_if(","));
+    tokens.expect(";");
+  }
+
+  // The text of a whole number, as written; null: there is no such constant.
+  const std::string* find(const std::string& name) const {
+    const auto found = sizes_.find(name);
+    return found == sizes_.end() ? nullptr : &found->second;
   }
 
   void name_values_of(MessageType& type) const {
@@ -159,10 +147,56 @@ class ConstantRows {
   }
 
  private:
-  std::vector<std::vector<std::string>> rows_;
+  using Row = std::map<std::int64_t, std::string>;
+
+  void extend_rows(const std::string& name, std::int64_t value) {
+    if (value == 0) rows_.emplace_back();
+    if (!rows_.empty() && value == static_cast<std::int64_t>(rows_.back().size())) rows_.back()[value] = name;
+  }
+
+  std::map<std::string, std::string> sizes_;
+  std::vector<Row> rows_;
 };
 
-MessageType parse_struct(Tokens& tokens, const std::string& package) {
+Dimension parse_dimension(Tokens& tokens, const MessageType& type, const Constants& constants) {
+  constexpr std::int64_t kLargest = 999'999'999;  // arrays beyond that are no message
+  constexpr const char* kAllowed = "a whole number above 0, a constant, or an integer field before it";
+  const std::string written = tokens.take();
+  const std::string* constant = constants.find(written);
+  Dimension dimension;
+  dimension.text = constant != nullptr ? *constant : written;
+  if (constant != nullptr || std::isdigit(static_cast<unsigned char>(written[0])) != 0) {
+    dimension.size = integer_of(dimension.text).value_or(0);
+    if (dimension.size < 1 || dimension.size > kLargest) tokens.complain("array size '" + written + "'", kAllowed);
+  } else {
+    dimension.length_field = field_index(type, written);
+    if (dimension.length_field < 0 || !counts(type.fields[static_cast<std::size_t>(dimension.length_field)])) {
+      tokens.complain("array size '" + written + "'", kAllowed);
+    }
+  }
+  tokens.expect("]");
+  return dimension;
+}
+
+void parse_fields(Tokens& tokens, MessageType& type, const Constants& constants) {
+  const std::string type_name = tokens.name();
+  const auto primitive = primitives().find(type_name);
+  do {
+    Field field;
+    field.name = tokens.name();
+    field.kind = primitive != primitives().end() ? primitive->second : Kind::kMessage;
+    field.type_name = type_name;
+    if (field.kind == Kind::kMessage && type_name.find('.') == std::string::npos && !type.package.empty()) {
+      field.type_name = type.package + "." + type_name;
+    }
+    if (field_index(type, field.name) >= 0) tokens.complain("a second field '" + field.name + "'", "a new name");
+    while (tokens.take_if("[")) field.dimensions.push_back(parse_dimension(tokens, type, constants));
+    type.fields.push_back(std::move(field));
+  } while (tokens.take_if(","));
+  tokens.expect(";");
+}
+
+MessageType named_type(Tokens& tokens, const std::string& package) {
   MessageType type;
   type.package = package;
   type.name = tokens.name();
@@ -171,16 +205,50 @@ MessageType parse_struct(Tokens& tokens, const std::string& package) {
     type.package = type.name.substr(0, dot);
     type.name.erase(0, dot + 1);
   }
-  ConstantRows constants;
+  return type;
+}
+
+MessageType parse_struct(Tokens& tokens, const std::string& package) {
+  MessageType type = named_type(tokens, package);
+  Constants constants;
   tokens.expect("{");
   while (!tokens.take_if("}")) {
     if (tokens.take_if("const")) {
       constants.parse(tokens);
     } else if (!tokens.take_if(";")) {
-      parse_fields(tokens, type);
+      parse_fields(tokens, type, constants);
     }
   }
   constants.name_values_of(type);
+  return type;
+}
+
+// A value without a number is one above the largest before it, which is at least 0: so lcm-gen has it.
+MessageType parse_enum(Tokens& tokens, const std::string& package) {
+  MessageType type = named_type(tokens, package);
+  type.is_enum = true;
+  Field value;
+  value.name = "value";
+  value.kind = Kind::kEnum;
+  std::int64_t largest = 0;
+  tokens.expect("{");
+  while (!tokens.take_if("}")) {
+    const std::string name = tokens.name();
+    std::int64_t number = largest + 1;
+    if (tokens.take_if("=")) {
+      const std::string sign = tokens.take_if("-") ? "-" : "";
+      const std::string text = sign + tokens.take();
+      const std::optional<std::int64_t> given = integer_of(text);
+      if (!given) tokens.complain(name + " = '" + text + "'", "a whole number");
+      number = *given;
+    }
+    largest = std::max(largest, number);
+    if (!value.value_names.emplace(number, name).second) {
+      tokens.complain(name + " = " + std::to_string(number), "a value that no other name has");
+    }
+    if (!tokens.take_if(",")) tokens.take_if(";");
+  }
+  type.fields.push_back(std::move(value));
   return type;
 }
 
@@ -196,8 +264,10 @@ std::vector<MessageType> parse_types(const std::string& text, const std::string&
       tokens.expect(";");
     } else if (tokens.take_if("struct")) {
       types.push_back(parse_struct(tokens, package));
+    } else if (tokens.take_if("enum")) {
+      types.push_back(parse_enum(tokens, package));
     } else if (!tokens.take_if(";")) {
-      tokens.complain("'" + tokens.now() + "'", "package or struct");
+      tokens.complain("'" + tokens.now() + "'", "package, struct or enum");
     }
   }
   return types;

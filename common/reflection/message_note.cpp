@@ -15,7 +15,7 @@ MessageNote note_of(const TypeCatalog& catalog, const void* data, std::size_t si
   note.fingerprint = fingerprint;
   const MessageType* type = catalog.find(fingerprint);
   if (type == nullptr) return note;
-  note.type = type->name;
+  note.type = shown_name(*type);
   const DecodedMessage message = decode(catalog, data, size);
   note.decodes = message.error.empty();
   if (!note.decodes) return note;

@@ -13,10 +13,10 @@ namespace markservo::reflection {
 struct MessageNote {
   std::size_t bytes = 0;                     // of the payload
   std::optional<std::uint64_t> fingerprint;  // none: fewer than 8 bytes
-  std::string type;                          // its name without the package; empty: not one of ours
-  bool decodes = true;                       // false: one of our types by its fingerprint, but broken; or too short
-  std::int64_t session = 0;                  // of the writer; 0: the type has none
-  std::int64_t seq = -1;                     // -1: the type has none
+  std::string type;                          // as shown_name() has it; empty: the catalogue does not have it
+  bool decodes = true;       // false: a type of the catalogue by its fingerprint, but broken; or too short
+  std::int64_t session = 0;  // of the writer; 0: the type has none
+  std::int64_t seq = -1;     // -1: the type has none
 };
 
 // What the `size` bytes at `data`, any bytes, tell by the types of `catalog`.

@@ -62,6 +62,7 @@ std::size_t least_size(Kind kind) {
       return 2;
     case Kind::kInt32:
     case Kind::kFloat:
+    case Kind::kEnum:
       return 4;
     case Kind::kInt64:
     case Kind::kDouble:
@@ -84,6 +85,7 @@ Value read_one(Reader& reader, const Field& field, int depth) {
     case Kind::kInt16:
       return {std::int64_t{static_cast<std::int16_t>(reader.number<std::uint16_t>())}};
     case Kind::kInt32:
+    case Kind::kEnum:
       return {std::int64_t{static_cast<std::int32_t>(reader.number<std::uint32_t>())}};
     case Kind::kInt64:
       return {static_cast<std::int64_t>(reader.number<std::uint64_t>())};

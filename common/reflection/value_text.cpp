@@ -77,9 +77,8 @@ std::string text_of(const Value& value) {
 
 std::string text_of(const Field& field, const Value& value) {
   const auto* number = std::get_if<std::int64_t>(&value.content);
-  const bool is_named =
-      number != nullptr && *number >= 0 && static_cast<std::uint64_t>(*number) < field.value_names.size();
-  return is_named ? field.value_names[static_cast<std::size_t>(*number)] : text_of(value);
+  const auto name = number == nullptr ? field.value_names.end() : field.value_names.find(*number);
+  return name == field.value_names.end() ? text_of(value) : name->second;
 }
 
 std::string printable(std::string text) {

@@ -6,12 +6,15 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <stdexcept>
 
 #include "common/bus/end_signals.hpp"
 #include "common/bus/options.hpp"
 #include "common/bus/tool.hpp"
 #include "common/reflection/message_note.hpp"
+#include "common/reflection/type_files.hpp"
 #include "common/reflection/value_text.hpp"
+#include "common/robot/configuration_error.hpp"
 #include "services/bus-top/channel_table.hpp"
 #include "services/bus-top/field_lines.hpp"
 #include "services/bus-top/screen.hpp"
@@ -33,10 +36,20 @@ std::vector<std::string> names_of(const BusWatch& watch) {
   return names;
 }
 
-std::vector<std::string> message_lines(const std::vector<std::uint8_t>& bytes) {
-  const auto message = reflection::decode(reflection::TypeCatalog::ours(), bytes.data(), bytes.size());
-  if (message.error.empty()) return field_lines(message.fields);
-  return {"the newest message cannot be shown: " + message.error};
+// What `make` makes of options; what is wrong with them is told as such.
+template <class Make>
+auto made_of_options(Make make) {
+  try {
+    return make();
+  } catch (const std::invalid_argument& error) {
+    throw ConfigurationError(error.what());
+  }
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + reflection::printable(name);
+  return list.empty() ? "nothing" : list;
 }
 
 }  // namespace
@@ -45,7 +58,12 @@ void add_options(CLI::App& app, BusTopOptions& options) {
   const bus::Options add(app);
   bus::add_live_bus_option(app, options.url);
   add.option("--robot", options.robot, "Only the channels of this robot, without its prefix");
-  add.option("--channel", options.channel, "Show the fields of this channel's newest message");
+  add.option(
+      "--channel", options.channel,
+      "Show the fields of this channel's newest message (its name, or a Perl-compatible regular expression of the "
+      "whole name, for one channel)");
+  add.option("--types", options.types,
+             "Type files of another LCM system (FILE.lcm...), or folders of them, known besides our own types");
   add.flag("--once", options.once, "Print once, as plain text, and end; so without a terminal");
   add.flag("--json", options.json, "Print once, as JSON, and end");
   add.option("--for", options.seconds, "How long to listen before printing once, s").within(0.1, 3600.0).show_default();
@@ -59,8 +77,12 @@ void add_options(CLI::App& app, BusTopOptions& options) {
 BusTopNode::BusTopNode(BusTopOptions options)
     : options_(std::move(options)),
       prefix_(options_.robot.empty() ? "" : options_.robot + "/"),
+      types_(made_of_options([this] { return reflection::types_with(options_.types); })),
       start_(std::chrono::steady_clock::now()),
-      listener_(options_.url, ".*", kQueue, [this](const bus::HeardBytes& message) { on_message(message); }) {}
+      listener_(options_.url, ".*", kQueue, [this](const bus::HeardBytes& message) { on_message(message); }) {
+  if (options_.channel.empty()) return;
+  pattern_ = made_of_options([this] { return ChannelPattern(options_.channel); });
+}
 
 double BusTopNode::now() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -68,7 +90,7 @@ double BusTopNode::now() const {
 
 void BusTopNode::on_message(const bus::HeardBytes& message) {
   if (message.channel.compare(0, prefix_.size(), prefix_) != 0) return;
-  const auto told = reflection::note_of(reflection::TypeCatalog::ours(), message.data, message.size);
+  const auto told = reflection::note_of(types_, message.data, message.size);
   watch_.observe(message.channel.substr(prefix_.size()), told, message.data, now());
 }
 
@@ -96,27 +118,40 @@ int BusTopNode::print_table() {
 
 int BusTopNode::print_channel() {
   listen(options_.seconds);
-  const BusWatch::Channel* channel = watch_.find(options_.channel);
-  if (channel == nullptr) {
-    std::string heard;
-    for (const auto& [name, entry] : watch_.channels())
-      heard += (heard.empty() ? "" : ", ") + reflection::printable(name);
+  const std::vector<std::string> names = watch_.matching(options_.channel, *pattern_);
+  if (names.empty()) {
     fmt::print(stderr, "bus-top: no message on {} within {} s; heard: {}\n", reflection::printable(options_.channel),
-               options_.seconds, heard.empty() ? "nothing" : heard);
+               options_.seconds, listed(names_of(watch_)));
     return 1;
   }
-  const auto message =
-      reflection::decode(reflection::TypeCatalog::ours(), channel->newest.data(), channel->newest.size());
+  if (names.size() > 1) {
+    throw ConfigurationError("--channel " + options_.channel + " takes " + listed(names) + "; allowed: one channel");
+  }
+  const BusWatch::Channel& channel = *watch_.find(names.front());
+  const auto message = reflection::decode(types_, channel.newest.data(), channel.newest.size());
   if (!message.error.empty()) {
-    fmt::print(stderr, "bus-top: {}: {}\n", reflection::printable(options_.channel), message.error);
+    fmt::print(stderr, "bus-top: {}: {}\n", reflection::printable(names.front()), message.error);
     return 1;
   }
   if (options_.json) {
-    print(reflection::json_text(message_json(options_.channel, message.fields)));
+    print(reflection::json_text(message_json(names.front(), message.fields)));
   } else {
     for (const std::string& line : field_lines(message.fields)) print(line + "\n");
   }
   return 0;
+}
+
+std::vector<std::string> BusTopNode::message_lines(const std::vector<std::uint8_t>& bytes) const {
+  const auto message = reflection::decode(types_, bytes.data(), bytes.size());
+  if (message.error.empty()) return field_lines(message.fields);
+  return {"the newest message cannot be shown: " + message.error};
+}
+
+// Once a channel is heard that --channel takes.
+void BusTopNode::open_by_pattern(Navigation& navigation) const {
+  if (!pattern_ || navigation.opened() != options_.channel) return;
+  const std::vector<std::string> names = watch_.matching(options_.channel, *pattern_);
+  if (!names.empty() && names.front() != options_.channel) navigation = Navigation(names.front());
 }
 
 void BusTopNode::draw(Screen& screen, const Navigation& navigation) const {
@@ -151,6 +186,7 @@ void BusTopNode::watch_live() {
   double drawn = -kRedraw;
   while (!bus::told_to_end() && !navigation.quit()) {
     bool pressed = false;
+    open_by_pattern(navigation);
     do {
       const auto key = screen.read_key();
       if (!key) continue;

@@ -21,4 +21,13 @@ const BusWatch::Channel* BusWatch::find(const std::string& channel) const {
   return entry == channels_.end() ? nullptr : &entry->second;
 }
 
+std::vector<std::string> BusWatch::matching(const std::string& text, const ChannelPattern& pattern) const {
+  if (find(text) != nullptr) return {text};
+  std::vector<std::string> names;
+  for (const auto& entry : channels_) {
+    if (pattern.matches(entry.first)) names.push_back(entry.first);
+  }
+  return names;
+}
+
 }  // namespace markservo::bus_top

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/channel_pattern/channel_pattern.hpp"
 #include "services/bus-top/channel_watch.hpp"
 
 namespace markservo::bus_top {
@@ -23,6 +24,8 @@ class BusWatch {
 
   const std::map<std::string, Channel>& channels() const { return channels_; }
   const Channel* find(const std::string& channel) const;  // null: never heard
+  // The channels heard that `text`, a ChannelPattern, stands for: of that name, else those whose names it takes.
+  std::vector<std::string> matching(const std::string& text, const ChannelPattern& pattern) const;
   // Messages on channels that are not watched because there are too many.
   std::int64_t unwatched() const { return unwatched_; }
 

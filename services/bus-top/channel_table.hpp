@@ -21,8 +21,8 @@ struct ChannelTable {
   std::vector<ChannelLine> lines;
 };
 
-// One line a channel, by name, the columns as wide as they need. Types that are not ours are shown by fingerprint and
-// size.
+// One line a channel, by name, the columns as wide as they need. Types that are not known are shown by fingerprint
+// and size.
 ChannelTable channel_table(const BusWatch& watch, double now);
 
 // "1.84 MB", "614 kB", "96 B": three digits, powers of 1000.

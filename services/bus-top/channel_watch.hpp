@@ -21,7 +21,7 @@ struct ChannelWatchParameters {
 };
 
 struct ChannelFigures {
-  std::string type;  // of the newest message; empty: not one of ours
+  std::string type;  // of the newest message; empty: not known
   std::optional<std::uint64_t> fingerprint;
   std::int64_t received = 0;
   std::int64_t bytes = 0;                  // of all messages

@@ -22,49 +22,51 @@ class Writer {
     std::size_t width = 0;
     for (const auto& field : fields.type->fields) width = std::max(width, field.name.size());
     for (std::size_t i = 0; i < fields.values.size(); ++i) {
-      write(fields.type->fields[i].name, fields.values[i], depth, width);
+      write(fields.type->fields[i], fields.type->fields[i].name, fields.values[i], depth, width);
     }
   }
 
   std::vector<std::string> take() { return std::move(lines_); }
 
  private:
-  void write(const std::string& name, const Value& value, std::size_t depth, std::size_t width) {
+  void write(const reflection::Field& field, const std::string& name, const Value& value, std::size_t depth,
+             std::size_t width) {
     if (const auto* nested = std::get_if<Fields>(&value.content)) {
       line(depth, name);
       write(*nested, depth + 1);
     } else if (const auto* list = std::get_if<List>(&value.content)) {
-      write_list(name, *list, depth, width);
+      write_list(field, name, *list, depth, width);
     } else {
-      line(depth, fmt::format("{:<{}}  {}", name, width, plain(value)));
+      line(depth, fmt::format("{:<{}}  {}", name, width, plain(field, value)));
     }
   }
 
-  void write_list(const std::string& name, const List& list, std::size_t depth, std::size_t width) {
+  void write_list(const reflection::Field& field, const std::string& name, const List& list, std::size_t depth,
+                  std::size_t width) {
     const bool is_plain = std::all_of(list.begin(), list.end(), [](const Value& value) {
       return !std::holds_alternative<Fields>(value.content) && !std::holds_alternative<List>(value.content);
     });
     if (is_plain) {
-      line(depth, fmt::format("{:<{}}  {}", name, width, row(list)));
+      line(depth, fmt::format("{:<{}}  {}", name, width, row(field, list)));
       return;
     }
     const std::size_t shown = std::min(list.size(), parameters_.messages);
-    for (std::size_t i = 0; i < shown; ++i) write(fmt::format("{}[{}]", name, i), list[i], depth, width);
+    for (std::size_t i = 0; i < shown; ++i) write(field, fmt::format("{}[{}]", name, i), list[i], depth, width);
     if (shown < list.size()) line(depth, fmt::format("{}: {} more", name, list.size() - shown));
   }
 
-  std::string row(const List& list) const {
+  std::string row(const reflection::Field& field, const List& list) const {
     std::string text = "[";
     const std::size_t shown = std::min(list.size(), parameters_.numbers);
-    for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + plain(list[i]);
+    for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + plain(field, list[i]);
     return shown < list.size() ? fmt::format("{}, ... {} in all]", text, list.size()) : text + "]";
   }
 
-  static std::string plain(const Value& value) {
+  static std::string plain(const reflection::Field& field, const Value& value) {
     if (const auto* bytes = std::get_if<reflection::Bytes>(&value.content)) {
       return size_text(static_cast<double>(bytes->size));
     }
-    const std::string text = reflection::printable(reflection::text_of(value));
+    const std::string text = reflection::printable(reflection::text_of(field, value));
     return std::holds_alternative<std::string>(value.content) ? '"' + text + '"' : text;
   }
 

@@ -41,7 +41,8 @@ nlohmann::ordered_json watch_json(const BusWatch& watch, double seconds, double 
 }
 
 nlohmann::ordered_json message_json(const std::string& channel, const reflection::Fields& fields) {
-  return {{"channel", channel}, {"type", fields.type->name}, {"message", reflection::json_of(fields)}};
+  return {
+      {"channel", channel}, {"type", reflection::shown_name(*fields.type)}, {"message", reflection::json_of(fields)}};
 }
 
 }  // namespace markservo::bus_top

@@ -8,7 +8,7 @@
 
 namespace markservo::bus_top {
 
-// {"seconds", "channels": [{"channel", "type" (null: not ours), "hash", "received", "bytes", "hz", "bytes_per_second",
+// {"seconds", "channels": [{"channel", "type" (null: not known), "hash", "received", "bytes", "hz", "bytes_per_second",
 // "age_s", "stale", "lost", "undecodable", "writers", "sessions"}], "unwatched"}; null where a figure is not known.
 nlohmann::ordered_json watch_json(const BusWatch& watch, double seconds, double now);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/bus/gap_counter.hpp"
+#include "services/log-tool/bus_limits.hpp"
 #include "services/log-tool/log_event.hpp"
 
 namespace markservo::log_tool {
@@ -29,7 +30,10 @@ class ChannelStatistics {
   void add(const Event& event) {
     note_time(event.utime);
     ++summary_.events;
-    summary_.bytes += static_cast<std::int64_t>(event.data.size);
+    const auto size = static_cast<std::int64_t>(event.data.size);
+    summary_.bytes += size;
+    summary_.largest = std::max(summary_.largest, size);
+    if (event.data.size > kLargestByUdp) ++summary_.too_large;
     std::uint64_t fingerprint = 0;
     if (!reflection::read_fingerprint(event.data.data, event.data.size, &fingerprint)) {
       ++summary_.undecodable;
@@ -68,7 +72,7 @@ class ChannelStatistics {
     summary_.fingerprint = fingerprint;
     const MessageType* type = catalog_.find(fingerprint);
     if (type == nullptr) return;
-    summary_.type = type->name;
+    summary_.type = reflection::shown_name(*type);
     const auto has = [type](const char* name) {
       return std::any_of(type->fields.begin(), type->fields.end(), [name](const Field& field) {
         return field.name == name && field.kind == Kind::kInt64 && field.dimensions.empty();
@@ -115,10 +119,10 @@ std::int64_t LogSummary::undecodable() const {
 
 LogSummary summarise(const std::vector<Event>& events, const reflection::TypeCatalog& catalog) {
   LogSummary summary;
+  summary.steps = time_steps(events);
   std::map<std::string, ChannelStatistics, std::less<>> channels;
   for (const Event& event : events) {
     if (summary.events == 0) summary.first_utime = summary.last_utime = event.utime;
-    if (event.utime < summary.last_utime) ++summary.time_reversals;
     summary.first_utime = std::min(summary.first_utime, event.utime);
     summary.last_utime = std::max(summary.last_utime, event.utime);
     ++summary.events;

@@ -8,6 +8,7 @@
 
 #include "common/reflection/message_value.hpp"
 #include "services/log-tool/log_event.hpp"
+#include "services/log-tool/time_steps.hpp"
 
 namespace markservo::log_tool {
 
@@ -17,6 +18,8 @@ struct ChannelSummary {
   std::string type;               // empty: unknown
   std::int64_t events = 0;
   std::int64_t bytes = 0;        // of the messages
+  std::int64_t largest = 0;      // bytes of a message
+  std::int64_t too_large = 0;    // messages that a bus by UDP loses (bus_limits.hpp)
   std::int64_t first_utime = 0;  // us, the logger's
   std::int64_t last_utime = 0;
   double longest_gap = 0.0;         // s between two events
@@ -33,7 +36,7 @@ struct LogSummary {
   std::int64_t events = 0;
   std::int64_t first_utime = 0;  // us, the logger's
   std::int64_t last_utime = 0;
-  std::int64_t time_reversals = 0;       // events with an earlier time than the one before: real logs have some
+  TimeSteps steps;                       // real logs have times that go back
   std::vector<ChannelSummary> channels;  // by name
 
   double seconds() const;

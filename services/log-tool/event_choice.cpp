@@ -2,24 +2,25 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
-#include "services/log-tool/name_expression.hpp"
+#include "common/channel_pattern/channel_pattern.hpp"
 
 namespace markservo::log_tool {
 namespace {
 
 class ChannelFilter {
  public:
-  explicit ChannelFilter(const EventChoice& choice) : all_(choice.channels.empty()) {
-    for (const std::string& text : choice.channels) wanted_.emplace_back(text);
-    for (const std::string& text : choice.without) unwanted_.emplace_back(text);
+  ChannelFilter(const EventChoice& choice, const std::set<std::string>& names) : all_(choice.channels.empty()) {
+    for (const std::string& text : choice.channels) wanted_.emplace_back(text, names);
+    for (const std::string& text : choice.without) unwanted_.emplace_back(text, names);
   }
 
   bool takes(std::string_view channel) {
     const auto known = known_.find(channel);
     if (known != known_.end()) return known->second;
     const std::string name(channel);
-    const auto matches = [&name](const NameExpression& expression) { return expression.matches(name); };
+    const auto matches = [&name](const ChannelPattern& expression) { return expression.matches(name); };
     const bool taken = (all_ || std::any_of(wanted_.begin(), wanted_.end(), matches)) &&
                        std::none_of(unwanted_.begin(), unwanted_.end(), matches);
     known_.emplace(name, taken);
@@ -28,15 +29,23 @@ class ChannelFilter {
 
  private:
   bool all_;
-  std::vector<NameExpression> wanted_;
-  std::vector<NameExpression> unwanted_;
+  std::vector<ChannelPattern> wanted_;
+  std::vector<ChannelPattern> unwanted_;
   std::map<std::string, bool, std::less<>> known_;
 };
 
 }  // namespace
 
+std::set<std::string> channels_of(const std::vector<Event>& events) {
+  std::set<std::string, std::less<>> names;
+  for (const Event& event : events) {
+    if (names.find(event.channel) == names.end()) names.emplace(event.channel);
+  }
+  return {names.begin(), names.end()};
+}
+
 std::vector<Event> chosen(const std::vector<Event>& events, const EventChoice& choice) {
-  ChannelFilter filter(choice);
+  ChannelFilter filter(choice, channels_of(events));
   std::vector<Event> taken;
   for (const Event& event : events) {
     const double after = seconds_apart(events.front().utime, event.utime);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,13 @@ namespace markservo::log_tool {
 struct EventChoice {
   std::optional<double> from;         // s after the log's first event
   std::optional<double> to;           // s, that instant not included
-  std::vector<std::string> channels;  // extended regular expressions (POSIX) for the whole name; empty: all
+  std::vector<std::string> channels;  // see ChannelPattern; empty: all
   std::vector<std::string> without;   // taken out again
 };
 
-// Those events, in their order. Throws std::invalid_argument for an expression that is none.
+std::set<std::string> channels_of(const std::vector<Event>& events);
+
+// Those events, in their order. Throws std::invalid_argument for a pattern that is none.
 std::vector<Event> chosen(const std::vector<Event>& events, const EventChoice& choice);
 
 }  // namespace markservo::log_tool

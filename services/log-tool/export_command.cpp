@@ -40,8 +40,8 @@ class FileNames {
   std::set<std::string> used_;
 };
 
-DecodedMessage decoded(const Event& event) {
-  return reflection::decode(TypeCatalog::ours(), event.data.data, event.data.size);
+DecodedMessage decoded(const Event& event, const TypeCatalog& types) {
+  return reflection::decode(types, event.data.data, event.data.size);
 }
 
 std::uint64_t fingerprint_of(const Event& event) {
@@ -51,22 +51,22 @@ std::uint64_t fingerprint_of(const Event& event) {
 }
 
 // The first known type among them; null when there is none.
-const reflection::MessageType* type_of(const std::vector<Event>& messages) {
+const reflection::MessageType* type_of(const std::vector<Event>& messages, const TypeCatalog& types) {
   for (const Event& message : messages) {
-    const reflection::MessageType* type = TypeCatalog::ours().find(fingerprint_of(message));
+    const reflection::MessageType* type = types.find(fingerprint_of(message));
     if (type != nullptr) return type;
   }
   return nullptr;
 }
 
-std::string write_table(const std::string& path, const std::vector<Event>& events) {
+std::string write_table(const std::string& path, const std::vector<Event>& events, const TypeCatalog& types) {
   CsvColumns columns;
-  for (const Event& event : events) columns.learn(reflection::leaves(decoded(event).fields));
+  for (const Event& event : events) columns.learn(reflection::leaves(decoded(event, types).fields));
   std::ofstream table(path);
   table << columns.header();
   std::size_t left_out = 0;
   for (const Event& event : events) {
-    DecodedMessage message = decoded(event);
+    DecodedMessage message = decoded(event, types);
     if (message.error.empty()) {
       leave_out_unknown(message.fields);
       table << columns.row(event.utime, reflection::leaves(message.fields));
@@ -80,13 +80,13 @@ std::string write_table(const std::string& path, const std::vector<Event>& event
                      left_out > 0 ? fmt::format(", {} left out: they cannot be decoded", left_out) : "");
 }
 
-std::string write_pictures(const std::string& folder, const std::vector<Event>& events) {
+std::string write_pictures(const std::string& folder, const std::vector<Event>& events, const TypeCatalog& types) {
   fs::create_directories(folder);
   int number = 0;
   int left_out = 0;
   for (const Event& event : events) {
     ++number;
-    const DecodedMessage message = decoded(event);
+    const DecodedMessage message = decoded(event, types);
     const FramePictures pictures =
         message.error.empty() ? pictures_of(message.fields) : FramePictures{message.error, {}, {}};
     if (!pictures.error.empty()) {
@@ -106,7 +106,7 @@ std::string write_pictures(const std::string& folder, const std::vector<Event>& 
 
 }  // namespace
 
-std::string export_events(const std::vector<Event>& events, const std::string& folder) {
+std::string export_events(const std::vector<Event>& events, const std::string& folder, const TypeCatalog& types) {
   std::map<std::string, std::vector<Event>> channels;
   for (const Event& event : events) channels[std::string(event.channel)].push_back(event);
   std::string report;
@@ -115,15 +115,16 @@ std::string export_events(const std::vector<Event>& events, const std::string& f
     fs::create_directories(folder);
     if (!fs::is_empty(folder)) throw LogFileError(folder + ": is not empty; allowed: a new or empty folder");
     for (const auto& [channel, messages] : channels) {
-      const reflection::MessageType* type = type_of(messages);
+      const reflection::MessageType* type = type_of(messages, types);
       if (type == nullptr) {
-        report += fmt::format("{}: left out, {} messages of unknown type {}\n", reflection::printable(channel),
-                              messages.size(), reflection::fingerprint_text(fingerprint_of(messages.front())));
+        report += fmt::format("{}: left out, {} messages of unknown type {} (--types FILE.lcm... tells it)\n",
+                              reflection::printable(channel), messages.size(),
+                              reflection::fingerprint_text(fingerprint_of(messages.front())));
         continue;
       }
       const std::string path = folder + "/" + names.next(channel);
-      report += write_table(path + ".csv", messages);
-      if (type->name == "StereoFrame") report += write_pictures(path, messages);
+      report += write_table(path + ".csv", messages, types);
+      if (type->full_name() == "markservo.StereoFrame") report += write_pictures(path, messages, types);
     }
   } catch (const fs::filesystem_error& error) {
     throw LogFileError(folder + ": " + error.code().message() + "; allowed: a folder that can be written");

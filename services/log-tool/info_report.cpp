@@ -7,6 +7,8 @@
 
 #include "common/reflection/type_catalog.hpp"
 #include "common/reflection/value_text.hpp"
+#include "services/log-tool/bus_limits.hpp"
+#include "services/log-tool/play_choice.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -29,6 +31,7 @@ std::string notes(const ChannelSummary& channel) {
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
   };
   add(channel.undecodable, "cannot be decoded");
+  add(channel.too_large, "too large");
   add(channel.other_types, "of another type");
   add(channel.time_reversals, "back in time");
   if (channel.sessions > 1) add(channel.sessions, "sessions");
@@ -48,7 +51,36 @@ std::string legend(const LogSummary& summary) {
   if (any([](const ChannelSummary& channel) { return channel.time_reversals > 0; })) {
     text += "back in time: messages of a session with an earlier time (utime) than the one before\n";
   }
+  if (any([](const ChannelSummary& channel) { return channel.too_large > 0; })) {
+    text +=
+        fmt::format("too large: messages above {:.0f} MB, which a bus by UDP loses; a replay to it leaves them out\n",
+                    1e-6 * kLargestByUdp);
+  }
+  if (any([](const ChannelSummary& channel) { return channel.type.empty() && channel.channel != kLcmSelfTest; })) {
+    text += "0x...: a type that is not known; --types FILE.lcm... tells it\n";
+  }
   return text.empty() ? text : "\n" + text;
+}
+
+// What of the log's time a replay makes something of.
+std::string time_text(const TimeSteps& steps) {
+  std::string text;
+  if (steps.farthest_back > kDisorder_s) {
+    text += "time goes " + disorder_text(steps) + "; a replay keeps the log's order (--sort: by time)\n";
+  }
+  if (!steps.silences.empty()) {
+    text += "silent: " + silences_text(steps) + "; a replay waits as long (--longest-gap S: no longer than that)\n";
+  }
+  return text;
+}
+
+nlohmann::ordered_json silences_json(const std::vector<Silence>& silences) {
+  constexpr std::size_t kMost = 1000;
+  auto json = nlohmann::ordered_json::array();
+  for (const Silence& silence : silences) {
+    if (json.size() < kMost) json.push_back({{"after_s", silence.after}, {"seconds", silence.seconds}});
+  }
+  return json;
 }
 
 std::string utc(std::int64_t utime) {
@@ -69,15 +101,14 @@ std::string info_text(const LogSet& logs, const LogSummary& summary) {
   }
   text += fmt::format("{} to {}, {:.1f} s, {} events", utc(summary.first_utime), utc(summary.last_utime),
                       summary.seconds(), summary.events);
-  if (summary.time_reversals > 0)
-    text += fmt::format(", {} logged earlier than the one before", summary.time_reversals);
+  text += "\n" + time_text(summary.steps);
   std::size_t wide = 7;
   std::size_t wide_type = 4;
   for (const ChannelSummary& channel : summary.channels) {
     wide = std::max(wide, channel.channel.size());
     wide_type = std::max(wide_type, type_text(channel).size());
   }
-  text += fmt::format("\n\n{:<{}}  {:<{}}  {:>8}  {:>9}  {:>8}  {:>8}  {:>6}\n", "channel", wide, "type", wide_type,
+  text += fmt::format("\n{:<{}}  {:<{}}  {:>8}  {:>9}  {:>8}  {:>8}  {:>6}\n", "channel", wide, "type", wide_type,
                       "events", "size", "Hz", "gap s", "lost");
   for (const ChannelSummary& channel : summary.channels) {
     const std::string lost = channel.lost ? std::to_string(*channel.lost) : "-";
@@ -106,7 +137,10 @@ nlohmann::ordered_json info_json(const LogSet& logs, const LogSummary& summary) 
   json["last_utime"] = summary.last_utime;
   json["seconds"] = summary.seconds();
   json["events"] = summary.events;
-  json["non_monotonic"] = summary.time_reversals;
+  json["non_monotonic"] = summary.steps.late;
+  json["steps_back"] = summary.steps.back;
+  json["farthest_back_s"] = summary.steps.farthest_back;
+  json["silences"] = silences_json(summary.steps.silences);
   json["channels"] = nlohmann::ordered_json::array();
   for (const ChannelSummary& channel : summary.channels) {
     nlohmann::ordered_json entry;
@@ -115,6 +149,8 @@ nlohmann::ordered_json info_json(const LogSet& logs, const LogSummary& summary) 
     entry["hash"] = reflection::fingerprint_text(channel.fingerprint);
     entry["events"] = channel.events;
     entry["bytes"] = channel.bytes;
+    entry["largest_bytes"] = channel.largest;
+    entry["too_large"] = channel.too_large;
     entry["hz"] = channel.hz();
     entry["first_utime"] = channel.first_utime;
     entry["last_utime"] = channel.last_utime;

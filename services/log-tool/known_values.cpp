@@ -101,11 +101,13 @@ void look_into(Value& value) {
 }  // namespace
 
 void leave_out_unknown(Fields& fields) {
+  const bool is_ours = fields.type->package == reflection::kOurPackage;
   for (const Condition& condition : conditions()) {
-    if (fields.type->name == condition.type && !holds(condition, fields)) leave_out(condition.values, fields);
+    if (is_ours && fields.type->name == condition.type && !holds(condition, fields))
+      leave_out(condition.values, fields);
   }
   for (const ZeroWhileUnknown& zero : zeros()) {
-    if (fields.type->name == zero.type && is_zero(zero, fields)) leave_out(zero.values, fields);
+    if (is_ours && fields.type->name == zero.type && is_zero(zero, fields)) leave_out(zero.values, fields);
   }
   for (Value& value : fields.values) look_into(value);
 }

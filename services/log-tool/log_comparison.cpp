@@ -14,15 +14,15 @@ namespace {
 using reflection::Bytes;
 using reflection::Leaf;
 
-bool names_the_writer(const std::string& field) {
-  return field == "session" || field == "seq";
+bool names_the_writer(const reflection::MessageType& type, const std::string& field) {
+  return type.package == reflection::kOurPackage && (field == "session" || field == "seq");
 }
 
 std::vector<Leaf> compared_leaves(const reflection::Fields& fields) {
   std::vector<Leaf> leaves = reflection::leaves(fields);
-  leaves.erase(
-      std::remove_if(leaves.begin(), leaves.end(), [](const Leaf& leaf) { return names_the_writer(leaf.path); }),
-      leaves.end());
+  leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
+                              [&fields](const Leaf& leaf) { return names_the_writer(*fields.type, leaf.path); }),
+               leaves.end());
   return leaves;
 }
 
@@ -58,14 +58,14 @@ class Comparer {
 
   LogComparison run(const std::vector<Event>& recorded, const std::vector<Event>& replayed) {
     std::map<std::string, std::int64_t> begins;  // utime of each channel's first replayed message
-    for (const Event& event : replayed) begins.try_emplace(std::string(event.channel), message_utime(event));
+    for (const Event& event : replayed) begins.try_emplace(std::string(event.channel), message_utime(event, catalog_));
     std::map<std::string, std::int64_t> recorded_begins;
     std::map<MessageKey, const Event*> counterparts;
-    MessageKeys recorded_keys;
+    MessageKeys recorded_keys(catalog_);
     for (const Event& event : recorded) {
       const auto begin = begins.find(std::string(event.channel));
       if (begin == begins.end()) continue;
-      const std::int64_t utime = message_utime(event);
+      const std::int64_t utime = message_utime(event, catalog_);
       const std::int64_t recorded_begin = recorded_begins.try_emplace(begin->first, utime).first->second;
       if (utime < begin->second && seconds_apart(recorded_begin, utime) <= parameters_.start_up) {
         ++result_.channels[begin->first].outside;
@@ -73,7 +73,7 @@ class Comparer {
         counterparts.emplace(recorded_keys.next(event), &event);
       }
     }
-    MessageKeys replayed_keys;
+    MessageKeys replayed_keys(catalog_);
     for (const Event& event : replayed) {
       const auto counterpart = counterparts.find(replayed_keys.next(event));
       ChannelComparison& channel = result_.channels[std::string(event.channel)];
@@ -124,9 +124,9 @@ class Comparer {
     ++(beyond ? channel.different : largest > 0.0 ? channel.within : channel.equal);
   }
 
-  static FieldDifference difference(const Event& event, const std::string& field, const std::string& recorded,
-                                    const std::string& replayed) {
-    return {std::string(event.channel), message_utime(event), field, recorded, replayed};
+  FieldDifference difference(const Event& event, const std::string& field, const std::string& recorded,
+                             const std::string& replayed) const {
+    return {std::string(event.channel), message_utime(event, catalog_), field, recorded, replayed};
   }
 
   void note_first(FieldDifference difference) {

@@ -105,12 +105,13 @@ bool LogSet::damaged() const {
   return std::any_of(files_.begin(), files_.end(), [](const auto& file) { return !file->damage().empty(); });
 }
 
-Fit fit_of_our_types(ByteView message) {
-  const reflection::TypeCatalog& catalog = reflection::TypeCatalog::ours();
-  std::uint64_t fingerprint = 0;
-  if (!reflection::read_fingerprint(message.data, message.size, &fingerprint)) return Fit::kUnknownType;
-  if (catalog.find(fingerprint) == nullptr) return Fit::kUnknownType;
-  return reflection::decode(catalog, message.data, message.size).error.empty() ? Fit::kFits : Fit::kDoesNot;
+FitCheck fit_of(const reflection::TypeCatalog& types) {
+  return [&types](ByteView message) {
+    std::uint64_t fingerprint = 0;
+    if (!reflection::read_fingerprint(message.data, message.size, &fingerprint)) return Fit::kUnknownType;
+    if (types.find(fingerprint) == nullptr) return Fit::kUnknownType;
+    return reflection::decode(types, message.data, message.size).error.empty() ? Fit::kFits : Fit::kDoesNot;
+  };
 }
 
 void write_log(const std::string& path, const std::vector<Event>& events) {

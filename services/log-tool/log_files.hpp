@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/reflection/type_catalog.hpp"
 #include "services/log-tool/log_scan.hpp"
 
 namespace markservo::log_tool {
@@ -51,8 +52,8 @@ class LogSet {
   std::vector<std::unique_ptr<LogFile>> files_;
 };
 
-// Decides by the types of this project.
-Fit fit_of_our_types(ByteView message);
+// Decides by the types of `types`, which must live as long as what comes back.
+FitCheck fit_of(const reflection::TypeCatalog& types);
 
 // Writes the events as a log that did not exist before. Throws LogFileError, and then leaves none behind.
 void write_log(const std::string& path, const std::vector<Event>& events);

@@ -13,8 +13,7 @@ namespace markservo::log_tool {
 inline constexpr std::uint32_t kSyncWord = 0xEDA1DA01;
 inline constexpr std::size_t kSyncSize = 4;
 inline constexpr std::size_t kHeaderSize = 28;
-inline constexpr std::size_t kLongestChannel = 999;    // what lcm::LogFile takes
-inline constexpr std::size_t kLongestLcmChannel = 63;  // what LCM sends
+inline constexpr std::size_t kLongestChannel = 999;  // what lcm::LogFile takes
 
 struct Header {
   bool sync = false;

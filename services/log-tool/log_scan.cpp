@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "services/log-tool/bus_limits.hpp"
 #include "services/log-tool/log_format.hpp"
 
 namespace markservo::log_tool {

@@ -1,10 +1,13 @@
 #include "services/log-tool/play_choice.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <markservo/channels.hpp>
 
 #include "common/reflection/message_value.hpp"
 #include "common/reflection/value_text.hpp"
-#include "services/log-tool/log_format.hpp"
+#include "services/log-tool/bus_limits.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -25,6 +28,37 @@ std::set<std::uint64_t> moving_types(const reflection::TypeCatalog& types) {
   return fingerprints;
 }
 
+// Of single messages on channels that may be played.
+class MessageJudge {
+ public:
+  MessageJudge(const PlayWishes& wishes, const reflection::TypeCatalog& types)
+      : wishes_(wishes), types_(types), moving_(moving_types(types)), names_others_(wishes.names_others()) {}
+
+  // False notes in the plan why not.
+  bool lets_through(const std::string& channel, const Event& event, PlayPlan& plan) const {
+    std::uint64_t fingerprint = 0;
+    const bool has_type = reflection::read_fingerprint(event.data.data, event.data.size, &fingerprint);
+    if (!wishes_.all && has_type && moving_.count(fingerprint) > 0) {
+      ++plan.moving_messages[channel];
+    } else if (!names_others_ && (!has_type || types_.find(fingerprint) == nullptr)) {
+      ++plan.others_messages[channel];
+    } else if (wishes_.by_udp && event.data.size > kLargestByUdp) {
+      TooLarge& too_large = plan.too_large[channel];
+      ++too_large.messages;
+      too_large.largest = std::max(too_large.largest, event.data.size);
+    } else {
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  const PlayWishes& wishes_;
+  const reflection::TypeCatalog& types_;
+  std::set<std::uint64_t> moving_;
+  bool names_others_;
+};
+
 const char* why(Fate fate) {
   switch (fate) {
     case Fate::kMoves:
@@ -32,7 +66,7 @@ const char* why(Fate fate) {
     case Fate::kLive:
       return "speaks for devices and services that are not there; --all plays it";
     case Fate::kUnlisted:
-      return "not in the table of channels; --channel plays it";
+      return "not in the table of channels: another system's, which may move a robot; --channel NAME plays it";
     case Fate::kWritten:
       return "somebody writes it";
     case Fate::kFeedsMotion:
@@ -63,8 +97,8 @@ Fate fate_of(const std::string& channel, const PlayWishes& wishes) {
   }
   if (wishes.channels && !wishes.channels->matches(channel)) return Fate::kNotNamed;
   const channels::Entry* entry = entry_of(channel);
+  if (entry == nullptr && !wishes.names_others()) return channel == kLcmSelfTest ? Fate::kNotNamed : Fate::kUnlisted;
   if (!wishes.all) {
-    if (entry == nullptr && !wishes.channels) return Fate::kUnlisted;
     if (entry != nullptr && entry->moves_robot) return Fate::kMoves;
     if (entry != nullptr && entry->live) return Fate::kLive;
   }
@@ -77,12 +111,7 @@ Fate fate_of(const std::string& channel, const PlayWishes& wishes) {
 
 PlayPlan plan_of(const std::vector<Event>& events, const PlayWishes& wishes, const reflection::TypeCatalog& types,
                  const std::function<bool()>& goes_on) {
-  const std::set<std::uint64_t> moving = moving_types(types);
-  const auto moves = [&](const Event& event) {
-    std::uint64_t fingerprint = 0;
-    return reflection::read_fingerprint(event.data.data, event.data.size, &fingerprint) &&
-           moving.count(fingerprint) > 0;
-  };
+  const MessageJudge judge(wishes, types);
   PlayPlan plan;
   std::map<std::string, Fate, std::less<>> fates;
   for (const Event& event : events) {
@@ -93,13 +122,10 @@ PlayPlan plan_of(const std::vector<Event>& events, const PlayWishes& wishes, con
       known = fates.emplace(name, fate_of(name, wishes)).first;
       if (known->second != Fate::kPlayed) plan.left_out[known->second].push_back(name);
     }
-    if (known->second != Fate::kPlayed) continue;
-    if (!wishes.all && moves(event)) {
-      ++plan.moving_messages[known->first];
-      continue;
+    if (known->second == Fate::kPlayed && judge.lets_through(known->first, event, plan)) {
+      plan.events.push_back(event);
+      plan.played.insert(known->first);
     }
-    plan.events.push_back(event);
-    plan.played.insert(known->first);
   }
   return plan;
 }
@@ -109,9 +135,19 @@ std::vector<std::string> left_out_text(const PlayPlan& plan) {
   for (const auto& [fate, channels] : plan.left_out) {
     if (fate != Fate::kNotNamed) lines.push_back("left out: " + names_of(channels) + " (" + why(fate) + ")");
   }
+  const auto messages = [](std::int64_t count, const std::string& channel) {
+    return fmt::format("left out: {} message{} on {}", count, count == 1 ? "" : "s", reflection::printable(channel));
+  };
   for (const auto& [channel, count] : plan.moving_messages) {
-    lines.push_back("left out: " + std::to_string(count) + " messages on " + reflection::printable(channel) +
-                    " of a type that moves a robot (--all plays them)");
+    lines.push_back(messages(count, channel) + " of a type that moves a robot (--all plays them)");
+  }
+  for (const auto& [channel, count] : plan.others_messages) {
+    lines.push_back(messages(count, channel) + " of a type that is not ours (--channel NAME plays them)");
+  }
+  for (const auto& [channel, too_large] : plan.too_large) {
+    lines.push_back(messages(too_large.messages, channel) +
+                    fmt::format(" of up to {:.1f} MB: above {:.0f} MB a bus by UDP loses them",
+                                1e-6 * static_cast<double>(too_large.largest), 1e-6 * kLargestByUdp));
   }
   return lines;
 }

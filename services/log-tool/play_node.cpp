@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "common/bus/bus_unavailable.hpp"
 #include "common/bus/connection.hpp"
@@ -14,8 +16,10 @@
 #include "common/bus/listener.hpp"
 #include "common/reflection/value_text.hpp"
 #include "common/time/clocks.hpp"
+#include "services/log-tool/event_choice.hpp"
 #include "services/log-tool/play_choice.hpp"
 #include "services/log-tool/play_schedule.hpp"
+#include "services/log-tool/time_steps.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -23,17 +27,13 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr std::int64_t kListen_us = 1'200'000;    // every state is repeated once a second or more often
-constexpr std::int64_t kSilence_us = 10'000'000;  // worth a word
-constexpr milliseconds kSlice{100};               // how long a signal may wait
+constexpr std::int64_t kListen_us = 1'200'000;     // every state is repeated once a second or more often
+constexpr milliseconds kSlice{100};                // how long a signal may wait
+constexpr std::int64_t kPatience_us = 15'000'000;  // of a person who sees nothing happen
 
 void say(const std::string& line) {
   std::printf("%s\n", line.c_str());
   std::fflush(stdout);
-}
-
-std::string seconds_text(double seconds) {
-  return fmt::format("{:.1f} s", seconds);
 }
 
 std::set<std::string> channels_written(const std::string& url) {
@@ -65,10 +65,11 @@ class Player {
   void send(const Event& event) {
     const auto now = std::chrono::steady_clock::now();
     connection_.mend(now);
-    if (connection_.publish(std::string(event.channel), event.data.data, event.data.size, now)) {
+    const std::string channel(event.channel);
+    if (connection_.publish({channel, event.data.data, event.data.size, event.utime}, now)) {
       ++sent_;
     } else if (failed_++ == 0) {
-      first_failure_ = reflection::printable(std::string(event.channel)) + " of " + std::to_string(event.data.size) +
+      first_failure_ = reflection::printable(channel) + " of " + std::to_string(event.data.size) +
                        " bytes: " + connection_.refused_sends(now).reason;
     }
   }
@@ -86,45 +87,78 @@ class Player {
 
 // False when told to end meanwhile.
 bool wait_until(std::int64_t due_us) {
-  if (const std::int64_t silence = due_us - steady_clock_us(); silence > kSilence_us) {
-    say("the recording is silent: nothing is played for " + seconds_text(1e-6 * static_cast<double>(silence)));
-  }
-  for (std::int64_t left = due_us - steady_clock_us(); left > 0 && !bus::told_to_end();
-       left = due_us - steady_clock_us()) {
+  constexpr auto kWorthAWord_us = static_cast<std::int64_t>(1e6 * kSilence_s);
+  const auto duration = [](std::int64_t us) { return duration_text(1e-6 * static_cast<double>(us)); };
+  std::int64_t left = due_us - steady_clock_us();
+  if (left > kWorthAWord_us) say("the recording is silent: nothing is played for " + duration(left));
+  std::int64_t told_at = left;
+  for (; left > 0 && !bus::told_to_end(); left = due_us - steady_clock_us()) {
+    if (left > kWorthAWord_us && told_at - left >= kPatience_us) {
+      say("still silent for " + duration(left));
+      told_at = left;
+    }
     std::this_thread::sleep_for(std::min<microseconds>(microseconds(left), kSlice));
   }
   return !bus::told_to_end();
 }
 
+PlayWishes wishes_of(const PlayOptions& options, const std::vector<Event>& events) {
+  PlayWishes wishes;
+  if (!options.channels.empty()) wishes.channels = ChannelPattern(options.channels, channels_of(events));
+  wishes.all = options.all;
+  wishes.join = options.join;
+  wishes.by_udp = bus::is_udpm(options.url);
+  return wishes;
+}
+
+// How the whole log's time goes, and what that means here.
+void tell_order(const TimeSteps& steps) {
+  if (steps.farthest_back > kDisorder_s) {
+    say("the log's time goes " + disorder_text(steps) + ". Its order is kept" +
+        (steps.jumps > 0 ? ", without waiting where the time jumps" : "") + "; --sort plays it by time");
+  } else if (steps.jumps > 0) {
+    say("the log's time jumps on by days " + std::to_string(steps.jumps) + " times: no waiting there");
+  }
+}
+
+// What a person should know before it begins: how long it takes, and when nothing will happen.
+void announce(const PlayPlan& plan, const PlayOptions& options) {
+  const auto [first, last] = std::minmax_element(plan.events.begin(), plan.events.end(),
+                                                 [](const Event& a, const Event& b) { return a.utime < b.utime; });
+  say("playing " + duration_text(seconds_apart(first->utime, last->utime)) + " of " +
+      std::to_string(plan.played.size()) + " channels to " + options.url);
+  const std::string silences = silences_text(time_steps(plan.events));
+  if (silences.empty()) return;
+  say("the log has " + silences +
+      (options.longest_gap ? ": shortened to " + duration_text(*options.longest_gap)
+                           : "; --longest-gap S waits no longer than that"));
+}
+
 }  // namespace
 
 bool play(const LogSet& logs, const PlayOptions& options) {
-  PlayWishes wishes;
-  if (!options.channels.empty()) wishes.channels = NameExpression(options.channels);
-  wishes.all = options.all;
-  wishes.join = options.join;
+  std::vector<Event> events = logs.events();
+  if (options.sort) events = sorted_by_time(std::move(events));
+  PlayWishes wishes = wishes_of(options, events);
   Player player(options.url);
   wishes.written = channels_written(options.url);
   if (bus::told_to_end()) return true;
-  const PlayPlan plan =
-      plan_of(logs.events(), wishes, reflection::TypeCatalog::ours(), [] { return !bus::told_to_end(); });
+  const PlayPlan plan = plan_of(events, wishes, reflection::TypeCatalog::ours(), [] { return !bus::told_to_end(); });
   if (bus::told_to_end()) return true;
   if (logs.damaged())
     say("the log is damaged: what can be read is played (" + options.log_command + " verify says more)");
+  tell_order(time_steps(events));
   for (const std::string& line : left_out_text(plan)) say(line);
   if (plan.events.empty()) {
     throw std::invalid_argument("no channel to play is in the log; " + options.log_command + " info shows what is");
   }
   if (!options.join) refuse_a_second_writer(plan, wishes, options.url);
-  say("playing " + seconds_text(std::max(0.0, seconds_apart(plan.events.front().utime, plan.events.back().utime))) +
-      " of " + std::to_string(plan.played.size()) + " channels to " + options.url);
-  PlaySchedule schedule(options.speed);
+  announce(plan, options);
+  PlaySchedule schedule(options.speed, options.longest_gap.value_or(std::numeric_limits<double>::infinity()));
   for (const Event& event : plan.events) {
     if (!wait_until(schedule.due_us(event.utime, steady_clock_us()))) break;
     player.send(event);
   }
-  if (schedule.jumps() > 0)
-    say("the log's time jumps " + std::to_string(schedule.jumps()) + " times: no waiting there");
   say("played " + std::to_string(player.sent()) + " messages");
   if (player.failed() == 0) return true;
   fmt::print(stderr, "{}: the bus did not take {} messages; the first on {}\n", options.own_name, player.failed(),

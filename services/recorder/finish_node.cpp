@@ -1,6 +1,7 @@
 #include "services/recorder/finish_node.hpp"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "services/recorder/folder/recording_folder.hpp"
 #include "services/recorder/manifest/manifest_file.hpp"
@@ -33,6 +34,12 @@ void finish_recording(const RecorderOptions& options) {
     return shown(folder.path(), options) + ": " + told_of_recording(manifest, options.commands.log);
   };
   Json manifest = read_manifest(folder.path());
+  if (!is_manifest(manifest) && access(manifest_path(folder.path()).c_str(), F_OK) == 0) {
+    throw Refusal(kBadFolder,
+                  "--finish " + folder.path() + ": its manifest.json is empty or torn; allowed: a folder that " +
+                      options.commands.record +
+                      " made. Its log, if it has one, can be read without: " + options.commands.log + " info");
+  }
   if (!is_manifest(manifest)) {
     throw Refusal(kBadFolder, "--finish " + folder.path() +
                                   ": has no manifest.json of a recording; allowed: a folder that " +

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <lcm/lcm-cpp.hpp>
-#include <string>
 
 #include "common/bus/publisher.hpp"
 
@@ -12,8 +10,8 @@ namespace markservo::bench {
 class LcmSink final : public bus::MessageSink {
  public:
   explicit LcmSink(lcm::LCM* lcm) : lcm_(lcm) {}
-  bool send(const std::string& channel, const void* data, std::size_t size) override {
-    return lcm_->publish(channel, data, static_cast<unsigned int>(size)) >= 0;
+  bool send(const bus::Outgoing& message) override {
+    return lcm_->publish(message.channel, message.data, static_cast<unsigned int>(message.size)) >= 0;
   }
 
  private:

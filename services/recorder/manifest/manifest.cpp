@@ -23,6 +23,10 @@ std::int64_t sum(const Json& list, const char* name) {
   return total;
 }
 
+bool is_instant(const Json& json) {
+  return json.is_object() && json.contains("utime") && json.at("utime").is_number_integer();
+}
+
 Json damage_of(const Json& files) {
   Json all = Json::array();
   for (const Json& file : files) {
@@ -72,7 +76,9 @@ Json begun_manifest(const ManifestBeginning& beginning, const RecordingPlan& pla
 }
 
 bool is_manifest(const Json& json) {
-  return json.is_object() && json.contains("format_version") && json.contains("end") && json.contains("start");
+  if (!json.is_object() || !json.contains("format_version") || !json.contains("end")) return false;
+  const Json& end = json.at("end");
+  return is_instant(json.value("start", Json())) && (end.is_null() || is_instant(end));
 }
 
 bool is_complete(const Json& manifest) {

@@ -51,9 +51,9 @@ struct Options {
 class Outlet final : public markservo::bus::MessageSink {
  public:
   Outlet(lcm::LCM* lcm, std::vector<std::string> only) : lcm_(lcm), only_(std::move(only)) {}
-  bool send(const std::string& channel, const void* data, std::size_t size) override {
-    if (!only_.empty() && std::find(only_.begin(), only_.end(), channel) == only_.end()) return true;
-    return lcm_->publish(channel, data, static_cast<unsigned int>(size)) >= 0;
+  bool send(const markservo::bus::Outgoing& message) override {
+    if (!only_.empty() && std::find(only_.begin(), only_.end(), message.channel) == only_.end()) return true;
+    return lcm_->publish(message.channel, message.data, static_cast<unsigned int>(message.size)) >= 0;
   }
 
  private:
@@ -142,10 +142,10 @@ class SampleBus {
     joints.utime = utime;
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(joints.getEncodedSize()));
     joints.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-    outlet_.send(channels::kJointState.name, bytes.data(), bytes.size() - 1);
+    outlet_.send({channels::kJointState.name, bytes.data(), bytes.size() - 1, utime});
     std::array<std::uint8_t, 24> foreign{};
     foreign.fill(0x5a);
-    outlet_.send("FOREIGN", foreign.data(), foreign.size());
+    outlet_.send({"FOREIGN", foreign.data(), foreign.size(), utime});
   }
 
   Outlet outlet_;

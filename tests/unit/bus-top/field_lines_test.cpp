@@ -63,6 +63,12 @@ TEST(FieldLines, IndentWhatIsNestedAndCountWhatIsLeftOut) {
   EXPECT_THAT(lines, Contains("marks: 2 more"));
 }
 
+TEST(FieldLines, NameStates) {
+  TaskState state{};
+  state.state = TaskState::HOLD_LIFTED;
+  EXPECT_THAT(lines_of(state), Contains(::testing::MatchesRegex("state +HOLD_LIFTED")));
+}
+
 TEST(FieldLines, TellAnImageByItsSize) {
   StereoFrame frame{};
   frame.left.assign(614400, 0);

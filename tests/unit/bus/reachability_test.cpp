@@ -103,7 +103,7 @@ TEST(Connection, IsNotKeptFromItsWorkByAServerThatDoesNotAnswer) {
   while (std::chrono::steady_clock::now() - begin < span) {
     const auto now = std::chrono::steady_clock::now();
     connection.mend(now);
-    EXPECT_FALSE(connection.publish("STOP", "x", 1, now));
+    EXPECT_FALSE(connection.publish({"STOP", "x", 1, 0}, now));
     kept += std::chrono::steady_clock::now() - now;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

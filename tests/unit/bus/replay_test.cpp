@@ -46,6 +46,14 @@ class Replay : public BusTest {
     return result;
   }
 
+  // us, of every event of a log.
+  std::vector<std::int64_t> event_times(const std::string& name) const {
+    std::vector<std::int64_t> times;
+    lcm::LogFile log(path(name), "r");
+    while (const auto* event = log.good() ? log.readNextEvent() : nullptr) times.push_back(event->timestamp);
+    return times;
+  }
+
   void run_through(const std::string& out) const {
     Bus bus(from_log(out));
     auto publisher = bus.advertise(made_up<JointState>("ECHO"));
@@ -68,6 +76,54 @@ TEST_F(Replay, WritesTheSameBytesTwice) {
   run_through("first.lcm");
   run_through("second.lcm");
   EXPECT_EQ(events("first.lcm"), events("second.lcm"));
+}
+
+TEST_F(Replay, GivesEventsTheTimesOfTheirMessages) {
+  run_through("out.lcm");
+  const std::vector<std::int64_t> times = event_times("out.lcm");
+  ASSERT_EQ(times.size(), 50U);
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(times[i], 2 * (static_cast<std::int64_t>(i) + 1));
+}
+
+TEST_F(Replay, GivesWhatTellsNoTimeThatOfTheNewestMessageHeard) {
+  {
+    Bus bus(from_log("out.lcm"));
+    bus.on_latest(channels::kJointState, [&](const JointState& state) {
+      if (state.utime == 30) bus.publish_raw("RAW", "bytes", 5);
+    });
+    bus.spin();
+  }
+  EXPECT_EQ(event_times("out.lcm"), std::vector<std::int64_t>{30});
+}
+
+TEST_F(Replay, WritesALogOfTheSameTimesWhereThereIsNothingToRead) {
+  BusParameters parameters;
+  parameters.urls = {"memq://", "file://" + path("source.lcm") + "?mode=w"};
+  parameters.service_name = "test";
+  parameters.source = true;
+  {
+    Bus bus(parameters);
+    auto publisher = bus.advertise(channels::kJointState);
+    for (const std::int64_t utime : {1'700'000'000'000'000, 1'700'000'000'066'667, 1'700'000'000'466'667}) {
+      auto state = joint_state(utime);
+      publisher.publish(state);
+    }
+  }
+  EXPECT_EQ(event_times("source.lcm"),
+            (std::vector<std::int64_t>{1'700'000'000'000'000, 1'700'000'000'066'667, 1'700'000'000'466'667}));
+}
+
+TEST_F(Replay, SaysThatALogCannotBeWritten) {
+  BusParameters parameters = from_log("no/such/folder.lcm");
+  try {
+    Bus bus(parameters);
+    ADD_FAILURE() << "it was opened";
+  } catch (const BusUnavailable& error) {
+    EXPECT_EQ(error.what(),
+              "log " + path("no/such/folder.lcm") +
+                  " cannot be written: No such file or directory; allowed: a file in a folder that can be "
+                  "written");
+  }
 }
 
 TEST_F(Replay, WritesNoHeartbeat) {

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "common/reflection/lcm_language.hpp"
 #include "common/reflection/value_text.hpp"
 #include "tests/unit/encoded.hpp"
 
@@ -157,6 +158,14 @@ TEST(KnownValues, HaveNoAgeOfAChannelThatNobodyHeard) {
   ServiceStatus hearing = deaf;
   hearing.channels[0].age = 0.0;
   expect_known_only_then(deaf, hearing, {"channels[0].age", "channels[0].latency_p50", "channels[0].latency_p99"});
+}
+
+TEST(KnownValues, OfAnotherSystemsTypeAreAllThatItsMessagesHave) {
+  const reflection::TypeCatalog types(reflection::parse_types(
+      "package rover; struct JointState { boolean contact_known; double contact; }", "rover.lcm"));
+  reflection::Fields fields{types.find("rover.JointState"), {{false}, {0.0}}};
+  leave_out_unknown(fields);
+  EXPECT_EQ(reflection::leaves(fields).size(), 2U) << "its names mean what it says, not what ours do";
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ OwnedEvent owned(const Event& event) {
 
 std::vector<OwnedEvent> scanned(const std::string& bytes) {
   std::vector<OwnedEvent> events;
-  for (const Event& event : scan(view_of(bytes), fit_of_our_types).events) events.push_back(owned(event));
+  for (const Event& event : scan(view_of(bytes), fit_of(reflection::TypeCatalog::ours())).events)
+    events.push_back(owned(event));
   return events;
 }
 
@@ -64,14 +65,14 @@ class LogScan : public ::testing::Test {
 TEST_F(LogScan, ReadsAWholeLogAsLiblcmDoes) {
   EXPECT_EQ(scanned(bytes_), events_);
   EXPECT_EQ(as_liblcm_reads(bytes_), events_);
-  EXPECT_TRUE(scan(view_of(bytes_), fit_of_our_types).damage.empty());
+  EXPECT_TRUE(scan(view_of(bytes_), fit_of(reflection::TypeCatalog::ours())).damage.empty());
 }
 
 TEST_F(LogScan, KeepsAllEventsWhereASyncWordIsCorrupt) {
   bytes_[begin_of(10) + 1] ^= 0x10;
   EXPECT_FALSE(contains(as_liblcm_reads(bytes_), events_[9])) << "liblcm drops the event before it";
   EXPECT_EQ(scanned(bytes_), events_);
-  const Scan result = scan(view_of(bytes_), fit_of_our_types);
+  const Scan result = scan(view_of(bytes_), fit_of(reflection::TypeCatalog::ours()));
   ASSERT_EQ(result.damage.size(), 1U);
   EXPECT_EQ(result.damage[0].offset, begin_of(10));
 }
@@ -161,7 +162,7 @@ TEST_F(LogScan, EndsOnAnyBytes) {
       static constexpr char kLikely[] = {'\xED', '\xA1', '\xDA', '\x01', 0, 'A'};
       byte = random() % 2 == 0 ? kLikely[random() % sizeof kLikely] : static_cast<char>(random());
     }
-    const Scan result = scan(view_of(bytes), fit_of_our_types);
+    const Scan result = scan(view_of(bytes), fit_of(reflection::TypeCatalog::ours()));
     EXPECT_LE(result.damage.size() + result.events.size(), bytes.size());
   }
 }

@@ -37,7 +37,7 @@ TEST(LogSummary, ToldAnyNumbersStaysFinite) {
                                           pose_event(kLeast, kMost, 0)};
   const LogSummary summary = summarise(views(events), catalog());
   EXPECT_EQ(summary.channels[0].lost, 0);
-  EXPECT_EQ(summary.time_reversals, 1);
+  EXPECT_EQ(summary.steps.late, 1);
   EXPECT_GT(summary.seconds(), 1e13);
 }
 
@@ -48,7 +48,7 @@ TEST(LogSummary, NamesGapsTimesThatGoBackAndWhatCannotBeDecoded) {
   events.push_back({5, 1'600'000, "TARGET_POSE", "short"});
   events.push_back({6, 1'600'000, "THEIRS", std::string(16, 'x')});
   const LogSummary summary = summarise(views(events), catalog());
-  EXPECT_EQ(summary.time_reversals, 1);
+  EXPECT_EQ(summary.steps.late, 1);
   const ChannelSummary& poses = summary.channels[0];
   EXPECT_DOUBLE_EQ(poses.longest_gap, 0.5);
   EXPECT_EQ(poses.time_reversals, 1);
@@ -58,6 +58,14 @@ TEST(LogSummary, NamesGapsTimesThatGoBackAndWhatCannotBeDecoded) {
   EXPECT_EQ(theirs.fingerprint, 0x7878787878787878U);
   EXPECT_FALSE(theirs.lost);
   EXPECT_EQ(theirs.undecodable, 0) << "another stack's types are no damage";
+}
+
+TEST(LogSummary, CountsWhatABusWouldLose) {
+  const std::vector<OwnedEvent> events = {{0, 0, "BIG", std::string(8'000'001, 'x')},
+                                          {1, 1, "BIG", std::string(9, 'x')}};
+  const LogSummary summary = summarise(views(events), catalog());
+  EXPECT_EQ(summary.channels[0].too_large, 1);
+  EXPECT_EQ(summary.channels[0].largest, 8'000'001);
 }
 
 TEST(EventChoice, TakesATimeSpanAndChannelsByTheirWholeName) {
@@ -72,6 +80,7 @@ TEST(EventChoice, TakesATimeSpanAndChannelsByTheirWholeName) {
   EXPECT_EQ(numbers({0.5, 1.5, {}, {}}), "12");
   EXPECT_EQ(numbers({{}, {}, {"A"}, {}}), "03");
   EXPECT_EQ(numbers({{}, {}, {"A.*", "r/.*"}, {"AB"}}), "023");
+  EXPECT_EQ(numbers({{}, {}, {"\\w"}, {}}), "03") << "as in every tool";
   EXPECT_THROW(numbers({{}, {}, {"("}, {}}), std::invalid_argument);
 }
 
@@ -88,7 +97,7 @@ TEST(CsvColumns, GiveEveryFieldAColumnAndQuoteWhatNeedsIt) {
 
 TEST(CsvColumns, WriteANumberThatHasANameByItsName) {
   reflection::Field field;
-  field.value_names = {"HOLD", "SERVO"};
+  field.value_names = {{0, "HOLD"}, {1, "SERVO"}};
   CsvColumns columns;
   columns.learn({{"state", {std::int64_t{0}}, &field}});
   EXPECT_EQ(columns.row(7, {{"state", {std::int64_t{1}}, &field}}), "7,SERVO\n");

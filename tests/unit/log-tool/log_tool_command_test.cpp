@@ -200,5 +200,176 @@ TEST_F(LogTool, WritesATablePerChannel) {
   EXPECT_NE(result.output.find("BIG: left out, 10 messages of unknown type 0x"), std::string::npos) << result.output;
 }
 
+// Two channels in turn every 0.1 s, as another system writes them.
+std::vector<OwnedEvent> two_channels(int count) {
+  std::vector<OwnedEvent> events;
+  for (int i = 0; i < count; ++i) {
+    events.push_back({i, 1'700'000'000'000'000 + 100'000 * i, i % 2 == 0 ? "A" : "B", "message " + std::to_string(i)});
+  }
+  return events;
+}
+
+// How the log's order is told, and what sorting makes of it.
+class Order : public LogTool {
+ protected:
+  nlohmann::json info_of(const std::vector<OwnedEvent>& events) const {
+    write("log", log_bytes(events));
+    return nlohmann::json::parse(run("info --json " + path("log")).output);
+  }
+  // The sorted log's payloads, one behind the other.
+  std::string sorted() const {
+    fs::remove(path("sorted"));
+    EXPECT_EQ(run("sort " + path("log") + " " + path("sorted")).exit_code, 0);
+    EXPECT_EQ(nlohmann::json::parse(run("info --json " + path("sorted")).output)["non_monotonic"], 0);
+    std::string payloads;
+    for (const auto& [channel, payload] : test::events_of(path("sorted"))) payloads += payload + ",";
+    return payloads;
+  }
+  static std::string payloads_of(const std::vector<OwnedEvent>& events) {
+    std::string payloads;
+    for (const OwnedEvent& event : events) payloads += event.data + ",";
+    return payloads;
+  }
+};
+
+TEST_F(Order, OfALogWhoseSecondHalfStandsFirstIsToldAndMended) {
+  const auto events = two_channels(40);
+  auto turned = events;
+  std::rotate(turned.begin(), turned.begin() + 20, turned.end());
+  for (std::size_t i = 0; i < turned.size(); ++i) turned[i].number = static_cast<std::int64_t>(i);
+  const auto json = info_of(turned);
+  EXPECT_EQ(json["events"], 40);
+  EXPECT_DOUBLE_EQ(json["seconds"], 3.9);
+  EXPECT_EQ(json["steps_back"], 1);
+  EXPECT_DOUBLE_EQ(json["farthest_back_s"], 3.9);
+  EXPECT_EQ(json["non_monotonic"], 20);
+  const std::string text = run("info " + path("log")).output;
+  EXPECT_NE(text.find("time goes 1 time back, by 3.9 s: 20 events are out of order"), std::string::npos) << text;
+  EXPECT_EQ(sorted(), payloads_of(events));
+}
+
+TEST_F(Order, OfARecordingWithLargeMessagesIsNotWorthAWord) {
+  auto events = two_channels(40);
+  events[20].utime -= 150'000;  // 50 ms earlier than the one before
+  EXPECT_EQ(info_of(events)["non_monotonic"], 1) << "programs are told";
+  const std::string text = run("info " + path("log")).output;
+  EXPECT_EQ(text.find("time goes"), std::string::npos) << text;
+}
+
+TEST_F(Order, OfEveryChannelBehindTheOtherIsToldAndMended) {
+  const auto events = two_channels(40);
+  auto by_channel = events;
+  std::stable_sort(by_channel.begin(), by_channel.end(),
+                   [](const OwnedEvent& a, const OwnedEvent& b) { return a.channel < b.channel; });
+  const auto json = info_of(by_channel);
+  EXPECT_EQ(json["steps_back"], 1);
+  EXPECT_NEAR(json["farthest_back_s"], 3.7, 1e-9);
+  EXPECT_EQ(json["non_monotonic"], 19);
+  EXPECT_EQ(sorted(), payloads_of(events));
+}
+
+TEST_F(Order, OfAClockThatWasSetBackIsToldAndKeptUnlessSorted) {
+  auto events = two_channels(40);
+  for (std::size_t i = 20; i < events.size(); ++i) events[i].utime -= std::int64_t{3600} * 1'000'000;
+  const auto json = info_of(events);
+  EXPECT_EQ(json["steps_back"], 1);
+  EXPECT_NEAR(json["farthest_back_s"], 3599.9, 1e-6);
+  ASSERT_EQ(run("cut " + path("log") + " " + path("kept") + " --channel '.*'").exit_code, 0);
+  EXPECT_EQ(read("kept"), read("log")) << "nobody asked to sort it";
+  EXPECT_EQ(sorted().rfind("message 20,", 0), 0U);
+}
+
+TEST_F(Order, OfTwoLogsIsTheirTimeWhenTheyAreMerged) {
+  const auto events = two_channels(40);
+  std::vector<OwnedEvent> a;
+  std::vector<OwnedEvent> b;
+  for (const OwnedEvent& event : events) (event.channel == "A" ? a : b).push_back(event);
+  write("a", log_bytes(a));
+  write("b", log_bytes(b));
+  const CommandResult result = run("merge " + path("b") + " " + path("a") + " " + path("both"));
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_EQ(result.output, path("both") + ": 40 events by time; 0 were out of order\n");
+  EXPECT_EQ(read("both"), log_bytes(events));
+  EXPECT_EQ(run("merge " + path("b") + " " + path("a") + " " + path("both")).exit_code, 2) << "nothing is overwritten";
+  EXPECT_NE(run("merge " + path("b") + " " + path("none")).output.find("allowed are two logs or more"),
+            std::string::npos);
+}
+
+TEST_F(Order, WithASilenceOfMinutesIsTold) {
+  auto events = two_channels(4);
+  for (std::size_t i = 2; i < events.size(); ++i) events[i].utime += 184'000'000;
+  const auto json = info_of(events);
+  ASSERT_EQ(json["silences"].size(), 1U);
+  EXPECT_NEAR(json["silences"][0]["after_s"], 0.1, 1e-6);
+  EXPECT_NEAR(json["silences"][0]["seconds"], 184.1, 1e-6);
+  const std::string text = run("info " + path("log")).output;
+  EXPECT_NE(text.find("silent: nothing for 3.1 min after 0.1 s"), std::string::npos) << text;
+}
+
+// Another system's types: an enumeration, a size in hexadecimal.
+constexpr const char* kRover =
+    "package rover; enum mode_t { IDLE = 0, BRAKE = 0x10 }\n"
+    "struct drive_t { int64_t timestamp; double speed[0x2]; mode_t mode; }\n";
+
+class OthersLog : public LogTool {
+ protected:
+  OthersLog() {
+    write("rover.lcm", kRover);
+    // The fingerprint is asked of the tool, which computes it as lcm-gen does.
+    const auto types = nlohmann::json::parse(run("types --json --types " + path("rover.lcm")).output);
+    const std::uint64_t fingerprint = std::stoull(types["rover.drive_t"].get<std::string>(), nullptr, 16);
+    std::string data;
+    const auto put = [&data](std::uint64_t number, int size) {
+      for (int i = size - 1; i >= 0; --i) data += static_cast<char>(number >> 8 * i & 0xff);
+    };
+    put(fingerprint, 8);
+    put(123, 8);
+    put(0x3fe0000000000000, 8);
+    put(0x4000000000000000, 8);
+    put(16, 4);
+    write("log", log_bytes({{0, 5, "DRIVE", data}, {1, 6, "TARGET_POSE", payload(target_pose(1, 7, 1))}}));
+  }
+};
+
+TEST_F(OthersLog, IsKnownByTypesWhereverTheyStandInTheCommand) {
+  fs::create_directory(path("types"));
+  fs::copy(path("rover.lcm"), path("types"));
+  for (const std::string& arguments :
+       {path("log") + " --types " + path("rover.lcm") + " --json",
+        "--json --types " + path("rover.lcm") + " " + path("log"),
+        "--json " + path("log") + " --types " + path("types") + " " + path("rover.lcm")}) {
+    const CommandResult result = run("info " + arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+    const auto json = nlohmann::json::parse(result.output);
+    EXPECT_EQ(json["channels"][0]["type"], "rover.drive_t") << arguments;
+    EXPECT_EQ(json["channels"][1]["type"], "TargetPose") << arguments;
+  }
+}
+
+TEST_F(OthersLog, IsExportedWithTheNamesOfItsValues) {
+  EXPECT_EQ(run("export " + path("log") + " " + path("tables") + " --types " + path("rover.lcm")).exit_code, 0);
+  EXPECT_EQ(read("tables/DRIVE.csv"), "log_utime,timestamp,speed[0],speed[1],mode\n5,123,0.5,2,BRAKE\n");
+  EXPECT_TRUE(fs::exists(path("tables/TARGET_POSE.csv")));
+  const CommandResult without = run("export " + path("log") + " " + path("tables2"));
+  EXPECT_NE(without.output.find("DRIVE: left out, 1 messages of unknown type 0x"), std::string::npos);
+  EXPECT_NE(without.output.find("(--types FILE.lcm... tells it)"), std::string::npos);
+}
+
+TEST_F(OthersLog, IsComparedFieldByField) {
+  std::string other = read("log");
+  other[other.find('\x10')] = '\0';  // the mode
+  write("other", other);
+  const CommandResult result = run("compare " + path("log") + " " + path("other") + " --types " + path("rover.lcm"));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.output.find("first difference: DRIVE utime 123 mode: recorded 16, replayed 0"), std::string::npos)
+      << result.output;
+}
+
+TEST_F(OthersLog, SaysWhatIsNoTypeFile) {
+  const CommandResult result = run("info " + path("log") + " --types " + path("log"));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.output.find(path("log") + ": is no text (a log?); allowed: "), std::string::npos) << result.output;
+}
+
 }  // namespace
 }  // namespace markservo::log_tool

@@ -112,6 +112,19 @@ TEST_F(Finish, RefusesWhatIsNoRecording) {
                                ": has no manifest.json of a recording; allowed: a folder that markservo record made\n");
 }
 
+TEST_F(Finish, TakesNoEmptyOrTornManifestForACompleteOne) {
+  for (const std::string text : {"", "\n", "{", "{}", "null", R"({"format_version": 1, "end": true, "start": {}})"}) {
+    scratch_.write("config/manifest.json", text);
+    const CommandResult result = record("--finish config");
+    EXPECT_EQ(result.exit_code, 2) << text;
+    EXPECT_EQ(result.output, "record: --finish " + scratch_.path("config") +
+                                 ": its manifest.json is empty or torn; allowed: a folder that markservo record made. "
+                                 "Its log, if it has one, can be read without: markservo log info\n")
+        << text;
+    EXPECT_EQ(scratch_.read("config/manifest.json"), text);
+  }
+}
+
 TEST_F(Finish, NamesTheCommandThatWasTyped) {
   EXPECT_EQ(record("--for soon").output, "record: --for soon; allowed: 1 to 99999999; see markservo record --help\n");
 }

@@ -51,15 +51,15 @@ TEST(LcmLanguage, GivesEachRowOfConstantsThatCountsFromZeroToOneField) {
       "struct s { const int32_t MOST = 9; const int8_t A = 0; const int8_t B = 1; const int8_t X = 0, Y = 1, Z = 2;\n"
       "int8_t list[2]; int32_t n; int8_t first; int8_t second; int8_t third; const double C = -0.5; }",
       "test");
-  std::vector<std::vector<std::string>> names;
+  using Names = std::map<std::int64_t, std::string>;
+  std::vector<Names> names;
   for (const Field& field : types.at(0).fields) names.push_back(field.value_names);
-  using Names = std::vector<std::string>;
-  EXPECT_EQ(names, (std::vector<Names>{{}, {}, Names{"A", "B"}, Names{"X", "Y", "Z"}, {}}));
+  EXPECT_EQ(names, (std::vector<Names>{{}, {}, {{0, "A"}, {1, "B"}}, {{0, "X"}, {1, "Y"}, {2, "Z"}}, {}}));
 }
 
 const std::string& name_of_value(const char* type, const char* field, std::int8_t value) {
   for (const Field& one : TypeCatalog::ours().find(std::string(type))->fields) {
-    if (one.name == field) return one.value_names.at(static_cast<std::size_t>(value));
+    if (one.name == field) return one.value_names.at(value);
   }
   throw std::invalid_argument(field);
 }
@@ -89,10 +89,18 @@ std::string complaint(const std::string& text) {
 
 TEST(LcmLanguage, SaysInWhichLineWhatIsWrong) {
   EXPECT_EQ(complaint("package a;\nstruct s {\n double x[k];\n}"),
-            "x.lcm:3: array size 'k'; allowed here: a whole number or an integer field before it");
+            "x.lcm:3: array size 'k'; allowed here: a whole number above 0, a constant, or an integer field before it");
   EXPECT_EQ(complaint("struct s { double n; double x[n]; }"),
-            "x.lcm:1: array size 'n'; allowed here: a whole number or an integer field before it");
-  EXPECT_EQ(complaint("enum e { A }"), "x.lcm:1: 'enum'; allowed here: package or struct");
+            "x.lcm:1: array size 'n'; allowed here: a whole number above 0, a constant, or an integer field before it");
+  for (const char* size : {"0", "08", "0x", "3e", "-1", "99999999999", "0x7fffffff", "]"}) {
+    EXPECT_NE(complaint("struct s { double x[" + std::string(size) + "]; }").find("array size '"), std::string::npos)
+        << size;
+  }
+  EXPECT_EQ(complaint("union u { }"), "x.lcm:1: 'union'; allowed here: package, struct or enum");
+  EXPECT_EQ(complaint("struct s { const int8_t A = 1.5; }"),
+            "x.lcm:1: constant A = '1.5'; allowed here: a whole number");
+  EXPECT_EQ(complaint("enum e { A = 1,\n B = 0x1 }"), "x.lcm:2: B = 1; allowed here: a value that no other name has");
+  EXPECT_EQ(complaint("enum e { A = x }"), "x.lcm:1: A = 'x'; allowed here: a whole number");
   EXPECT_EQ(complaint("struct s { double 9; }"), "x.lcm:1: '9'; allowed here: a name");
   EXPECT_EQ(complaint("struct s { double x; double x; }"), "x.lcm:1: a second field 'x'; allowed here: a new name");
   EXPECT_EQ(complaint("struct s { double x"), "x.lcm:1: ''; allowed here: ';'");

@@ -1,0 +1,73 @@
+#include "services/log-tool/log_merge.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <functional>
+#include <string_view>
+#include <unordered_map>
+
+#include "services/log-tool/time_steps.hpp"
+
+namespace markservo::log_tool {
+namespace {
+
+struct Span {
+  std::int64_t first = 0;  // us
+  std::int64_t last = 0;
+};
+
+Span span_of(const std::vector<Event>& events) {
+  const auto [first, last] = std::minmax_element(events.begin(), events.end(),
+                                                 [](const Event& a, const Event& b) { return a.utime < b.utime; });
+  return {first->utime, last->utime};
+}
+
+// The same message may come a thousand times in one log; here it counts once a pair.
+std::int64_t messages_twice(const std::vector<MergeInput>& inputs) {
+  std::unordered_map<std::size_t, std::pair<std::size_t, std::int64_t>> heard;  // by content: last input, times there
+  std::int64_t twice = 0;
+  for (std::size_t input = 0; input < inputs.size(); ++input) {
+    std::unordered_map<std::size_t, std::int64_t> here;
+    for (const Event& event : inputs[input].events) {
+      const std::hash<std::string_view> hash;
+      const std::size_t content = hash(event.channel) * 31 + hash(event.data.text());
+      const std::int64_t times = ++here[content];
+      const auto before = heard.find(content);
+      if (before != heard.end() && before->second.first < input && times <= before->second.second) ++twice;
+    }
+    for (const auto& [content, times] : here) heard[content] = {input, times};
+  }
+  return twice;
+}
+
+}  // namespace
+
+Merge merged(const std::vector<MergeInput>& inputs) {
+  Merge merge;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const std::vector<Event>& events = inputs[i].events;
+    merge.late += time_steps(events).late;
+    merge.events.insert(merge.events.end(), events.begin(), events.end());
+    if (i == 0 || events.empty() || inputs[i - 1].events.empty()) continue;
+    const Span before = span_of(inputs[i - 1].events);
+    const Span now = span_of(events);
+    const double apart = std::max(seconds_apart(before.last, now.first), seconds_apart(now.last, before.first));
+    if (apart <= 0.0) continue;
+    merge.remarks.push_back(
+        fmt::format("{} and {} do not overlap: {} lie between them (if they were recorded together, "
+                    "their clocks differ)",
+                    inputs[i - 1].name, inputs[i].name, duration_text(apart)));
+  }
+  merge.events = sorted_by_time(std::move(merge.events));
+  merge.twice = messages_twice(inputs);
+  if (merge.twice > 0) {
+    merge.remarks.push_back(
+        fmt::format("{} messages stand in more than one of the logs (one bus, recorded twice?): all "
+                    "are kept",
+                    merge.twice));
+  }
+  return merge;
+}
+
+}  // namespace markservo::log_tool
