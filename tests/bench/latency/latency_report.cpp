@@ -53,6 +53,14 @@ nlohmann::ordered_json latency_json(const std::vector<KindResult>& kinds, const 
   return report;
 }
 
+void add_unpacking(nlohmann::ordered_json& report, double imdecode_pair_ms) {
+  const auto without_floor = [&report](const char* key) {
+    return report[key]["chain_p50_ms"].get<double>() - report[key]["floor_p50_ms"].get<double>();
+  };
+  report["jpeg_30"]["imdecode_pair_ms"] = imdecode_pair_ms;
+  report["jpeg_30"]["unpacking_ratio"] = (without_floor("jpeg_30") - without_floor("raw_30")) / imdecode_pair_ms;
+}
+
 std::string latency_text(const nlohmann::ordered_json& report) {
   std::ostringstream text;
   const auto cells = [&](const std::string& first, const std::vector<std::string>& others) {
@@ -69,6 +77,11 @@ std::string latency_text(const nlohmann::ordered_json& report) {
     cells(key, {number_text(kind["chain_p50_ms"]), number_text(kind["chain_p99_ms"]), number_text(kind["floor_p50_ms"]),
                 number_text(kind["floor_p99_ms"]), number_text(kind["ratio_p50"]),
                 std::to_string(lost) + " of " + std::to_string(sent)});
+  }
+  if (report.contains("jpeg_30") && report["jpeg_30"].contains("unpacking_ratio")) {
+    text << "\nJPEG costs " << number_text(report["jpeg_30"]["unpacking_ratio"])
+         << " of one cv::imdecode of both pictures (" << number_text(report["jpeg_30"]["imdecode_pair_ms"])
+         << " ms), beyond raw frames and the floor.\n";
   }
   text << "\nThe p50 of each hop, up to its message received by a listener that hears them all, ms (in brackets: the\n"
           "floor's):\n\n";

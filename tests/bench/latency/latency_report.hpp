@@ -26,6 +26,10 @@ struct KindResult {
 // where nothing was answered.
 nlohmann::ordered_json latency_json(const std::vector<KindResult>& kinds, const std::vector<std::string>& stages);
 
+// Adds to jpeg_30 what unpacking costs: `imdecode_pair_ms`, one cv::imdecode of both pictures, as given, and
+// `unpacking_ratio`, what the chain takes longer for JPEG than for raw frames at 30 Hz, floors deducted, in these.
+void add_unpacking(nlohmann::ordered_json& report, double imdecode_pair_ms);
+
 // The same for a person.
 std::string latency_text(const nlohmann::ordered_json& report);
 

@@ -18,6 +18,7 @@
 #include "tests/bench/latency/latency_report.hpp"
 #include "tests/bench/latency/player.hpp"
 #include "tests/bench/latency/recorded_frames.hpp"
+#include "tests/bench/latency/unpacking_cost.hpp"
 #include "tests/experiments/child_process.hpp"
 #include "tests/experiments/progress_bar.hpp"
 
@@ -106,8 +107,8 @@ void start_hops(Processes& processes, const Options& options, const LogFolder& l
 }
 
 std::vector<KindResult> play_rounds(const Options& options, Player& chain, Player& floor,
-                                    const std::vector<scenes::StereoPair>& pairs,
-                                    const geometry::StereoCamera& camera) {
+                                    const std::vector<scenes::StereoPair>& pairs, const geometry::StereoCamera& camera,
+                                    UnpackingCost& unpacking) {
   std::vector<StereoFrame> raw = record_frames(pairs, camera, Encoding::kRaw);
   std::vector<StereoFrame> jpeg = record_frames(pairs, camera, Encoding::kJpeg);
   std::vector<KindResult> results;
@@ -132,6 +133,7 @@ std::vector<KindResult> play_rounds(const Options& options, Player& chain, Playe
       }
       progress.advance(kKinds[k].key);
     }
+    unpacking.measure(jpeg);
   }
   return results;
 }
@@ -169,8 +171,10 @@ int run(const Options& options) {
 
     std::vector<std::string> stages;
     for (const Stage& stage : chain_way.stages) stages.push_back(stage.name);
-    const auto results = play_rounds(options, chain, floor, pairs, robot.cameras.stereo);
+    UnpackingCost unpacking;
+    const auto results = play_rounds(options, chain, floor, pairs, robot.cameras.stereo, unpacking);
     nlohmann::ordered_json report = latency_json(results, stages);
+    add_unpacking(report, unpacking.median_ms());
     std::cout << (options.json ? report.dump() + "\n" : latency_text(report));
     return 0;
   } catch (const std::exception&) {

@@ -15,8 +15,8 @@ FrameLedger answered_after_multiples_of(double unit) {
   return ledger;
 }
 
-KindResult kind_of(const FrameLedger& chain, const FrameLedger& floor) {
-  return {"raw_30", {chain, chain}, {floor, floor}};
+KindResult kind_of(const FrameLedger& chain, const FrameLedger& floor, const char* key = "raw_30") {
+  return {key, {chain, chain}, {floor, floor}};
 }
 
 TEST(LatencyReport, has_half_and_all_but_a_hundredth_of_the_frames_below_its_percentiles) {
@@ -50,6 +50,18 @@ TEST(LatencyReport, has_no_number_where_nothing_was_answered) {
   EXPECT_TRUE(read_back["raw_30"]["chain_p50_ms"].is_null());
   EXPECT_TRUE(read_back["raw_30"]["ratio_p50"].is_null());
   EXPECT_EQ(latency_text(report).find("nan"), std::string::npos);
+}
+
+TEST(LatencyReport, says_what_jpeg_costs_beyond_raw_frames) {
+  const auto floor = answered_after_multiples_of(0.001);
+  auto report = latency_json({kind_of(answered_after_multiples_of(0.002), floor),
+                              kind_of(answered_after_multiples_of(0.003), floor, "jpeg_30")},
+                             {"hop"});
+  EXPECT_EQ(latency_text(report).find("imdecode"), std::string::npos);
+  add_unpacking(report, 200.0);
+  EXPECT_DOUBLE_EQ(report["jpeg_30"]["imdecode_pair_ms"], 200.0);
+  EXPECT_DOUBLE_EQ(report["jpeg_30"]["unpacking_ratio"], 0.25);
+  EXPECT_NE(latency_text(report).find("JPEG costs 0.25 of one cv::imdecode"), std::string::npos);
 }
 
 }  // namespace
