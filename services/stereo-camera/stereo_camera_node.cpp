@@ -37,7 +37,11 @@ void StereoCameraNode::add_options(CLI::App& app) {
   add.option("--input", source.input, "One video, picture or pattern with both views (with --side-by-side)");
   add.flag("--side-by-side", source.side_by_side, "Both views in one picture, the left view in the left half");
   add.flag("--loop", source.loop, "Begin files again at their end");
-  add.option("--rate", source.rate_hz, "Pairs per second, Hz; default: as the video states, else 10; cameras 30");
+  add.option("--rate", source.rate_hz,
+             "Pairs per second, Hz; default: videos by the times they state, pictures 10, cameras 30");
+  add.option("--offset-s", source.offset_s,
+             "What the right video's time is more than the left's at the same moment, s; default: 0");
+  add.flag("--estimate-offset", source.estimate_offset, "Find the offset by what moves in both videos' first minute");
   add.flag("--wait-for-device", source.wait_for_device, "Wait for a camera that is not there at the start");
   add.option("--width", source.width, "Width asked of a camera's view, px; default: as calibrated").in_range(0, 16384);
   add.option("--height", source.height, "Height asked of a camera's view, px; default: as calibrated")
@@ -81,7 +85,8 @@ void StereoCameraNode::check(const std::string& robot_file) {
   if (once_) count_ = 1;
   geometry_ = choose_geometry(geometry_options_, robot_file);
   source_ = open_source(source_options_, geometry_.size.value_or(cv::Size(640, 480)));
-  if (!source_.note.empty()) logging::warn("{}", source_.note);
+  for (const std::string& warning : source_.warnings) logging::warn("{}", warning);
+  if (!source_.note.empty()) logging::info("{}", source_.note);
   if (geometry_.calibration && !geometry_.calibration->rms) {
     logging::warn("{}: states no reprojection error; taken on trust", geometry_.size_source);
   }
@@ -102,6 +107,7 @@ void StereoCameraNode::read_first_pair() {
     throw ConfigurationError(result.reason.empty() ? "the source holds no pictures; allowed: one pair or more"
                                                    : result.reason);
   }
+  if (!result.reason.empty()) logging::warn("{}", result.reason);
   const std::string complaint = pair_complaint(result.pair.left, result.pair.right, cv::Size());
   if (!complaint.empty()) throw ConfigurationError("first pair: " + complaint);
   accept_size(result.pair.left.size());
@@ -162,7 +168,7 @@ void StereoCameraNode::run_files(bus::Bus& bus) {
   const auto now_us = [&] {
     return std::chrono::duration_cast<microseconds>(std::chrono::steady_clock::now() - steady_start).count();
   };
-  Schedule schedule(0, source_.rate_hz);
+  Schedule schedule(0, first_ ? first_->time_us : 0, source_.period_us);
   while (!done() && bus.poll(milliseconds(0))) {
     ReadResult result{ReadStatus::kPair, {}, ""};
     if (first_) {
@@ -180,10 +186,10 @@ void StereoCameraNode::run_files(bus::Bus& bus) {
     }
     if (!result.reason.empty()) logging::warn("{}", result.reason);
     if (!paced) {
-      publish(result.pair, time_of(kLogEpoch_us, result.pair.index, source_.rate_hz));
+      publish(result.pair, kLogEpoch_us + result.pair.time_us);
       continue;
     }
-    const std::int64_t due_us = schedule.due(result.pair.index, now_us());
+    const std::int64_t due_us = schedule.due(result.pair.time_us, now_us());
     while (now_us() < due_us) {
       const auto left = std::chrono::ceil<milliseconds>(microseconds(due_us - now_us()));
       if (!bus.poll(std::min(left, kPollSlice))) return;
