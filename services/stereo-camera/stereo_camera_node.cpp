@@ -1,5 +1,7 @@
 #include "services/stereo-camera/stereo_camera_node.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <opencv2/core/utils/logger.hpp>
@@ -27,8 +29,18 @@ constexpr int kFirstPairAttempts = 30;      // cameras may begin with damaged or
 
 void StereoCameraNode::add_options(CLI::App& app) {
   const bus::Options add(app);
+  add_source_options(add);
+  add_geometry_options(add);
+  add.option("--encoding", encoding_, "raw, jpeg, or auto: raw where the network's buffers hold it")
+      .one_of({"auto", "raw", "jpeg"})
+      .show_default();
+  add.option("--jpeg-quality", jpeg_quality_, "1 to 100").in_range(1, 100).show_default();
+  add.option("--count", count_, "Stop after this many pairs; 0: no limit").not_negative().show_default();
+  add.flag("--once", once_, "Stop after one pair");
+}
+
+void StereoCameraNode::add_source_options(const bus::Options& add) {
   SourceOptions& source = source_options_;
-  GeometryOptions& geometry = geometry_options_;
   add.option("--left-device", source.left_device, "Left camera, for example /dev/video0");
   add.option("--right-device", source.right_device, "Right camera, for example /dev/video2");
   add.option("--device", source.device, "One camera that delivers both views (with --side-by-side)");
@@ -49,14 +61,26 @@ void StereoCameraNode::add_options(CLI::App& app) {
   add.option("--exposure", source.camera.exposure, "Fixed exposure in the driver's unit; default: automatic");
   add.option("--white-balance", source.camera.white_balance_K, "Fixed white balance, K; default: held as it is");
   add.flag("--auto-white-balance", source.camera.auto_white_balance, "Let cameras balance white by themselves");
+}
 
-  add.option("--calibration", geometry.calibration, "OpenCV stereo calibration (YAML or XML) to rectify by");
+void StereoCameraNode::add_geometry_options(const bus::Options& add) {
+  GeometryOptions& geometry = geometry_options_;
+  add.option("--calibration", geometry.calibration,
+             "Stereo calibration to rectify by: one file of OpenCV (K1 D1 K2 D2 R T; YAML, XML or JSON), or two of "
+             "ROS's camera_info, the left camera's first");
   add.option("--intrinsics", geometry.intrinsics, "M1 D1 M2 D2 as OpenCV's stereo_calib sample writes them");
   add.option("--extrinsics", geometry.extrinsics, "R T R1 R2 P1 P2 as that sample writes them");
-  add.option("--metres-per-unit", geometry.limits.metres_per_unit,
-             "Unit of the calibration's T, m (0.001 for a board measured in mm)")
+  add.option("--board-square", geometry.board_square,
+             "Edge of the calibration board's squares, m, where T counts in squares or the file has a square_size");
+  add.option("--metres-per-unit", geometry.metres_per_unit,
+             "Unit of the calibration's T, m: 0.001 for a board given in mm, 0.01 in cm, 0.0254 in inches; default: 1");
+  add.option(
+         "--lens", geometry.lens,
+         "Model of the calibration's distortion: pinhole, fisheye (that of cv::fisheye), or auto: as the file says, "
+         "else pinhole")
+      .one_of({"auto", "pinhole", "fisheye"})
       .show_default();
-  add.flag("--accept-rms", geometry.limits.accept_any_error,
+  add.flag("--accept-rms", geometry.accept_any_error,
            "Take a calibration with an error above 0.5 px, or with none stated");
   add.option("--fx", geometry.fx, "Focal length of rectified pictures, px; replaces robot.yaml's cameras");
   add.option("--fy", geometry.fy, "Focal length along v, px; default: --fx");
@@ -64,22 +88,21 @@ void StereoCameraNode::add_options(CLI::App& app) {
   add.option("--cx-right", geometry.cx_right, "Principal column on the right, px; default: the middle");
   add.option("--cy", geometry.cy, "Principal row, px; default: the middle");
   add.option("--baseline", geometry.baseline, "Right lens minus left lens, m");
-
-  add.option("--encoding", encoding_, "raw, jpeg, or auto: raw where the network's buffers hold it")
-      .one_of({"auto", "raw", "jpeg"})
-      .show_default();
-  add.option("--jpeg-quality", jpeg_quality_, "1 to 100").in_range(1, 100).show_default();
-  add.option("--count", count_, "Stop after this many pairs; 0: no limit").not_negative().show_default();
-  add.flag("--once", once_, "Stop after one pair");
 }
 
 void StereoCameraNode::configure(const std::string& robot_file) {
-  check(robot_file);
+  prepare(robot_file);
   read_first_pair();
 }
 
 // Devices are opened by the first read.
 void StereoCameraNode::check(const std::string& robot_file) {
+  prepare(robot_file);
+  if (geometry_.size) choose_cameras(*geometry_.size);
+  tell_cameras();
+}
+
+void StereoCameraNode::prepare(const std::string& robot_file) {
   // What OpenCV has to say goes into our own messages.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   if (once_) count_ = 1;
@@ -87,9 +110,6 @@ void StereoCameraNode::check(const std::string& robot_file) {
   source_ = open_source(source_options_, geometry_.size.value_or(cv::Size(640, 480)));
   for (const std::string& warning : source_.warnings) logging::warn("{}", warning);
   if (!source_.note.empty()) logging::info("{}", source_.note);
-  if (geometry_.calibration && !geometry_.calibration->rms) {
-    logging::warn("{}: states no reprojection error; taken on trust", geometry_.size_source);
-  }
 }
 
 void StereoCameraNode::read_first_pair() {
@@ -101,6 +121,7 @@ void StereoCameraNode::read_first_pair() {
   }
   if (result.status == ReadStatus::kWaiting && source_options_.wait_for_device) {
     logging::warn("{}; waiting for it", result.reason);
+    if (geometry_.size) choose_cameras(*geometry_.size);
     return;
   }
   if (result.status != ReadStatus::kPair) {
@@ -120,8 +141,7 @@ void StereoCameraNode::accept_size(cv::Size size) {
                              " as in " + geometry_.size_source +
                              (geometry_.calibration ? "" : " (or --calibration, or --fx and --baseline)"));
   }
-  if (geometry_.calibration) rectifier_ = std::make_unique<Rectifier>(*geometry_.calibration, size);
-  const geometry::StereoCamera camera = geometry_.camera(size);
+  const geometry::StereoCamera camera = choose_cameras(size);
   message_.calibration.fx = camera.fx;
   message_.calibration.fy = camera.fy;
   message_.calibration.cx_left = camera.cx_left;
@@ -131,6 +151,29 @@ void StereoCameraNode::accept_size(cv::Size size) {
   message_.width = size.width;
   message_.height = size.height;
   size_ = size;
+}
+
+geometry::StereoCamera StereoCameraNode::choose_cameras(cv::Size size) {
+  geometry_.rectify_for(size);
+  const geometry::StereoCamera camera = geometry_.camera(size);
+  cameras_ = fmt::format("cameras: f {:.1f} px, baseline {:.4f} m; ", camera.fx, camera.baseline);
+  if (!geometry_.calibration) {
+    cameras_ += "pictures are taken as rectified";
+    return camera;
+  }
+  rectifier_ = std::make_unique<Rectifier>(*geometry_.calibration, size);
+  const SharedView& view = rectifier_->shared_view();
+  cameras_ += fmt::format("{:.0f}% of the rectified pictures show something, {:.0f}% of the cameras' pictures are left",
+                          100.0 * view.filled, 100.0 * view.kept);
+  return camera;
+}
+
+void StereoCameraNode::tell_cameras() {
+  if (cameras_.empty()) return;
+  if (geometry_.calibration) {
+    for (const std::string& warning : geometry_.calibration->warnings) logging::warn("{}", warning);
+  }
+  logging::info("{}", cameras_);
 }
 
 void StereoCameraNode::choose_encoding(const bus::BusUrls& urls) {
@@ -151,6 +194,7 @@ void StereoCameraNode::start(bus::Bus& bus) {
 }
 
 void StereoCameraNode::run(bus::Bus& bus) {
+  if (size_) tell_cameras();
   bus.every(kStatePeriod, [this, &bus] { tell_state(bus); });
   if (source_.live) {
     run_cameras(bus);
@@ -232,6 +276,7 @@ void StereoCameraNode::run_cameras(bus::Bus& bus) {
       }
       try {
         accept_size(news.pair->left.size());
+        tell_cameras();
       } catch (const ConfigurationError& error) {
         drop(error.what());
         continue;

@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "common/bus/options.hpp"
 #include "common/bus/service.hpp"
+#include "common/geometry/stereo_camera.hpp"
 #include "services/stereo-camera/background_reader.hpp"
 #include "services/stereo-camera/camera_geometry.hpp"
 #include "services/stereo-camera/rectifier.hpp"
@@ -31,8 +33,13 @@ class StereoCameraNode : public bus::Service {
   std::int64_t dropped() const { return dropped_; }
 
  private:
+  void add_source_options(const bus::Options& add);
+  void add_geometry_options(const bus::Options& add);
+  void prepare(const std::string& robot_file);
   void read_first_pair();
   void accept_size(cv::Size size);
+  geometry::StereoCamera choose_cameras(cv::Size size);  // for pictures of `size`
+  void tell_cameras();
   void choose_encoding(const bus::BusUrls& urls);
   void run_files(bus::Bus& bus);
   void run_cameras(bus::Bus& bus);
@@ -53,6 +60,7 @@ class StereoCameraNode : public bus::Service {
   std::optional<RawPair> first_;
   std::optional<cv::Size> size_;  // px, of every pair
   std::unique_ptr<Rectifier> rectifier_;
+  std::string cameras_;  // which they are, to be told; empty before they are chosen
   std::optional<bus::Publisher<StereoFrame>> frames_;
   StereoFrame message_{};
   bool jpeg_ = false;

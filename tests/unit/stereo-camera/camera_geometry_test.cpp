@@ -46,6 +46,15 @@ TEST(CameraGeometry, OfOtherPeoplesPicturesTakesWhatIsStated) {
   EXPECT_DOUBLE_EQ(camera.cy, 7.0);
 }
 
+TEST(CameraGeometry, OfOtherPeoplesPicturesMustBePossibleForThem) {
+  GeometryOptions options;
+  options.fx = 3740.0;
+  options.baseline = 0.16;
+  const CameraGeometry geometry = choose_geometry(options, "");
+  EXPECT_NO_THROW(geometry.camera({1282, 1110}));
+  EXPECT_THROW(geometry.camera({64, 48}), ConfigurationError);
+}
+
 TEST(CameraGeometry, RefusesImpossibleOrHalfSettings) {
   GeometryOptions half;
   half.fx = 100.0;
@@ -53,13 +62,22 @@ TEST(CameraGeometry, RefusesImpossibleOrHalfSettings) {
   GeometryOptions negative = half;
   negative.baseline = -0.1;
   EXPECT_THROW(choose_geometry(negative, kRobotFile), ConfigurationError);
+  GeometryOptions millimetres = half;
+  millimetres.baseline = 65.0;
+  EXPECT_THROW(choose_geometry(millimetres, kRobotFile), ConfigurationError);
+  GeometryOptions two_units = half;
+  two_units.fx.reset();
+  two_units.calibration = {"stereo.yml"};
+  two_units.metres_per_unit = 0.001;
+  two_units.board_square = 0.025;
+  EXPECT_THROW(choose_geometry(two_units, kRobotFile), ConfigurationError);
   GeometryOptions infinite = half;
   infinite.baseline = 0.1;
   infinite.cx_left = std::numeric_limits<double>::infinity();
   EXPECT_THROW(choose_geometry(infinite, kRobotFile), ConfigurationError);
   GeometryOptions twice = half;
   twice.baseline = 0.1;
-  twice.calibration = "stereo.yml";
+  twice.calibration = {"stereo.yml"};
   EXPECT_THROW(choose_geometry(twice, kRobotFile), ConfigurationError);
   GeometryOptions one_file;
   one_file.intrinsics = "intrinsics.yml";
