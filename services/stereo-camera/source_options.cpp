@@ -108,6 +108,9 @@ std::unique_ptr<FileSource> open_videos(const SourceOptions& options, OpenedSour
         left->rate(), right->rate()));
   }
   double offset_s = options.offset_s.value_or(0.0);
+  if (!options.offset_s && !options.rate_hz) {
+    opened.note = "both videos' times are taken for one clock's; --estimate-offset asks the pictures";
+  }
   if (options.estimate_offset) {
     const OffsetEstimate estimate = measure_offset(*left, *right);
     offset_s = estimate.offset_s;

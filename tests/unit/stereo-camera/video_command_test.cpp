@@ -84,6 +84,7 @@ TEST_F(VideoPair, ThatLostPicturesOnOneSideIsPairedByTimeAndTheGapStays) {
   EXPECT_THAT(times_ms(read_frames(log())), ElementsAre(0, 67, 133, 200, 267, 533, 600));
   expect_every_disparity_right();
   EXPECT_THAT(result.output, HasSubstr("published 7 pairs, dropped 3"));
+  EXPECT_THAT(result.output, HasSubstr("taken for one clock's")) << "nobody has asked whether they are";
 }
 
 TEST_F(VideoPair, OfWhichOneBeganLaterIsPairedByTime) {
