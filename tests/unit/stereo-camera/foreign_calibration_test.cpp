@@ -10,9 +10,9 @@
 
 #include "calibration_text.hpp"
 #include "common/robot/configuration_error.hpp"
-#include "services/stereo-camera/rectification.hpp"
-#include "services/stereo-camera/rectifier.hpp"
-#include "services/stereo-camera/stereo_calibration.hpp"
+#include "services/stereo-camera/calibration/rectification.hpp"
+#include "services/stereo-camera/calibration/rectifier.hpp"
+#include "services/stereo-camera/calibration/stereo_calibration.hpp"
 #include "temporary_folder.hpp"
 
 namespace markservo::stereo_camera {
@@ -92,8 +92,8 @@ Measured measured(const StereoCalibration& truth, const StereoCalibration& used,
   return {camera.fx * camera.baseline / ((l.x - camera.cx_left) - (r.x - camera.cx_right)), std::abs(l.y - r.y)};
 }
 
-void expect_right(const StereoCalibration& calibration) {
-  for (const double x_per_z : {0.0, 0.3, 0.6}) {
+void expect_right(const StereoCalibration& calibration, const std::vector<double>& at = {0.0, 0.3, 0.6}) {
+  for (const double x_per_z : at) {
     const Measured point = measured(calibration, calibration, x_per_z);
     EXPECT_NEAR(point.depth_m, 0.5, 0.005) << x_per_z;
     EXPECT_NEAR(point.rows_apart_px, 0.0, 0.1) << x_per_z;
@@ -176,11 +176,39 @@ TEST_F(ForeignCalibration, ShowsNothingBeyondTheFoldOfItsLensModel) {
   EXPECT_LT(rectifier.shared_view().filled, 0.99);
 }
 
-TEST_F(ForeignCalibration, OfABarrelThatFoldsInTheCornersIsRectifiedWithinIt) {
+// Cameras of `width` x 480 px with focal length `f_px` whose right one is turned by `rotation` (axis times angle, rad),
+// without R1, R2, P1 and P2.
+CalibrationText unrectified(const std::string& width, const std::string& f_px, const std::string& D,
+                            const std::string& rotation = "[0, 0, 0]") {
   CalibrationText text;
   for (const char* key : {"R1", "R2", "P1", "P2"}) text.remove(key);
-  text.set("D1", "[ -0.6, 0., 0., 0., 0. ]").set("D2", "[ -0.6, 0., 0., 0., 0. ]");  // folds at r = 0.745, f = 50 px
-  EXPECT_EQ(error_of({folder_.write("stereo.yml", text.text())}), "accepted");
+  const std::string middle = std::to_string(std::stoi(width) / 2);
+  const std::string K = "[[" + f_px + ", 0, " + middle + "], [0, " + f_px + ", 240], [0, 0, 1]]";
+  text.set("image_width", width).set("image_height", "480").set("K1", K).set("K2", K).set("D1", D).set("D2", D);
+  return text.set("R", rotation).set("T", "[-0.1, 0.002, 0.001]");
+}
+
+TEST_F(ForeignCalibration, OfABarrelThatFoldsInTheCornersIsRectifiedWithinIt) {
+  // Folds at r = 0.82; the corners are at r = 0.95.
+  const std::string path = folder_.write("stereo.yml", unrectified("640", "420", "[ -0.5, 0, 0, 0, 0 ]").text());
+  const StereoCalibration calibration = rectified({path});
+  EXPECT_NEAR(rectified_camera(calibration).fx, 420.0, 20.0);
+  EXPECT_NO_THROW(Rectifier(calibration, *calibration.image_size));
+  expect_right(calibration, {0.0, 0.2, 0.4});
+}
+
+TEST_F(ForeignCalibration, WithRationalCoefficientsOfTurnedCamerasIsRectified) {
+  const std::string path = folder_.write(
+      "stereo.yml",
+      unrectified("960", "520", "[ 1.2, 0.3, 0, 0, 0.01, 1.5, 0.6, 0.05 ]", "[0.01, 0.05, -0.008]").text());
+  const StereoCalibration calibration = rectified({path});
+  EXPECT_NO_THROW(Rectifier(calibration, *calibration.image_size));
+  expect_right(calibration, {0.0, 0.2, 0.4});
+}
+
+TEST_F(ForeignCalibration, WhoseLensModelIsNonsenseIsRefused) {
+  const std::string path = folder_.write("stereo.yml", unrectified("640", "500", "[ -90, 0, 0, 0, 0 ]").text());
+  EXPECT_THAT(error_of({path}), AllOf(HasSubstr("stereo.yml"), HasSubstr("lens model")));
 }
 
 TEST_F(ForeignCalibration, OfAFisheyeMeasuresRightWithItsOwnModel) {
@@ -208,6 +236,12 @@ TEST_F(ForeignCalibration, OfAFisheyeIsRectifiedFromRAndTToo) {
   const StereoCalibration calibration =
       rectified({folder_.write("stereo.yml", text.text())}, with_lens(Lens::kFisheye));
   expect_right(calibration);
+}
+
+TEST_F(ForeignCalibration, OfTurnedFisheyesIsRectified) {
+  const std::string path = folder_.write(
+      "stereo.yml", unrectified("960", "340", "[ 0.05, -0.02, 0.01, -0.003 ]", "[0.01, 0.04, -0.01]").text());
+  expect_right(rectified({path}, with_lens(Lens::kFisheye)));
 }
 
 TEST_F(ForeignCalibration, OfAFisheyeHasFourCoefficients) {

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/lens.hpp"
+#include "services/stereo-camera/calibration/lens.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/offset_estimate.hpp"
+#include "services/stereo-camera/files/offset_estimate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/stereo-camera/video_offset.hpp"
+#include "services/stereo-camera/files/video_offset.hpp"
 
 namespace markservo::stereo_camera {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/orientation.hpp"
+#include "services/stereo-camera/files/orientation.hpp"
 
 #include <gtest/gtest.h>
 

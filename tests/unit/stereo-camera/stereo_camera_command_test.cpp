@@ -246,6 +246,34 @@ TEST_F(StereoCameraCommand, PublishesTheCamerasOfTheCalibration) {
   EXPECT_DOUBLE_EQ(frames[0].calibration.baseline, 0.1);
 }
 
+// What a file of another tool should lead to.
+struct ForeignFile {
+  std::vector<std::string> arguments;
+  cv::Size pictures;
+  double f_px, f_tolerance_px, baseline_m;
+};
+
+TEST_F(StereoCameraCommand, PublishesTheCamerasOfOtherToolsCalibrations) {
+  const std::string data = MARKSERVO_SOURCE_DIR "/tests/data/";
+  const std::vector<ForeignFile> files{
+      {{data + "calibration/T-as-list.yml"}, {640, 480}, 500.0, 0.5, 0.06},
+      {{data + "calibration/rational-no-rectification.yml"}, {1280, 720}, 704.0, 15.0, 0.12},
+      {{data + "calibration/fisheye.yml", "--lens", "fisheye"}, {640, 480}, 216.55, 0.01, 0.064},
+      {{data + "ros/left.yaml", data + "ros/right.yaml"}, {640, 480}, 600.0, 1e-9, 0.06}};
+  for (const ForeignFile& file : files) {
+    const std::string left = picture("left.png", file.pictures, 1);
+    const std::string right = picture("right.png", file.pictures, 2);
+    std::vector<std::string> arguments{"--left", left, "--right", right, "--calibration"};
+    arguments.insert(arguments.end(), file.arguments.begin(), file.arguments.end());
+    const CommandResult result = run_plain(arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+    const auto frames = read_frames(log());
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_NEAR(frames[0].calibration.fx, file.f_px, file.f_tolerance_px) << file.arguments.front();
+    EXPECT_NEAR(frames[0].calibration.baseline, file.baseline_m, 1e-9) << file.arguments.front();
+  }
+}
+
 TEST_F(StereoCameraCommand, ReadsVideos) {
   const std::string video = OPENCV_EXAMPLES "/vtest.avi";
   const CommandResult result =

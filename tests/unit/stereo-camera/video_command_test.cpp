@@ -87,6 +87,14 @@ TEST_F(VideoPair, ThatLostPicturesOnOneSideIsPairedByTimeAndTheGapStays) {
   EXPECT_THAT(result.output, HasSubstr("taken for one clock's")) << "nobody has asked whether they are";
 }
 
+TEST_F(VideoPair, OfWhichEachLostOthersKeepsTheMomentsThatBothHave) {
+  write("left", {0, 1, 4, 5, 6, 8, 9}, 0);
+  write("right", {0, 2, 3, 4, 6, 7, 8, 9}, 30);
+  ASSERT_EQ(run({}).exit_code, 0);
+  EXPECT_THAT(times_ms(read_frames(log())), ElementsAre(0, 267, 400, 533, 600));
+  expect_every_disparity_right();
+}
+
 TEST_F(VideoPair, OfWhichOneBeganLaterIsPairedByTime) {
   write("left", {3, 4, 5, 6, 7}, 0);
   write("right", {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, 30);
@@ -141,23 +149,32 @@ TEST_F(VideoPair, InWhichNothingMovesDoesNotTellItsOffset) {
   EXPECT_THAT(result.output, HasSubstr("too little moves"));
 }
 
-TEST_F(VideoPair, FilmedWithCamerasOnTheirSideIsShownUpright) {
-  const std::int32_t one = 65536;
-  // As the sensors see it: what is right in the picture that is shown is below in theirs.
-  for (const auto& [side, u] : {std::pair<std::string, int>{"left", 180}, {"right", 150}}) {
-    cv::Mat sensor;
-    cv::rotate(picture_with_square(u), sensor, cv::ROTATE_90_CLOCKWISE);
-    const std::vector<TimedImage> pictures{{0, sensor}, {100, sensor}};
-    write_video(folder_.file(side + ".mp4"), pictures, {10.0, {0, -one, 0, one, 0, 0, 0, 0, 1 << 30}});
+// How the sensors lay, and the matrix by which the video says so.
+struct Turn {
+  cv::RotateFlags sensor;
+  std::int32_t a, b, c, d;  // display_matrix's, in 1/65536
+};
+
+TEST_F(VideoPair, FilmedWithTurnedCamerasIsShownUpright) {
+  constexpr std::int32_t kOne = 65536;
+  for (const Turn& turn :
+       {Turn{cv::ROTATE_90_CLOCKWISE, 0, -kOne, kOne, 0}, Turn{cv::ROTATE_90_COUNTERCLOCKWISE, 0, kOne, -kOne, 0},
+        Turn{cv::ROTATE_180, -kOne, 0, 0, -kOne}}) {
+    for (const auto& [side, u] : {std::pair<std::string, int>{"left", 180}, {"right", 150}}) {
+      cv::Mat sensor;
+      cv::rotate(picture_with_square(u), sensor, turn.sensor);
+      const std::vector<TimedImage> pictures{{0, sensor}, {100, sensor}};
+      write_video(folder_.file(side + ".mp4"), pictures, {10.0, {turn.a, turn.b, 0, turn.c, turn.d, 0, 0, 0, 1 << 30}});
+    }
+    const CommandResult result = run({}, ".mp4");
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+    const auto frames = read_frames(log());
+    ASSERT_EQ(frames.size(), 2U);
+    ASSERT_EQ(frames[0].width, 320) << turn.sensor;
+    EXPECT_NEAR(disparity(frames[0]), 30.0, 0.5) << turn.sensor;
+    EXPECT_NEAR(red_centre(frames[0].left, 320, 120).x, 199.5, 0.5) << turn.sensor;
+    EXPECT_NEAR(red_centre(frames[0].left, 320, 120).y, 59.5, 0.5) << turn.sensor;
   }
-  const CommandResult result = run({}, ".mp4");
-  ASSERT_EQ(result.exit_code, 0) << result.output;
-  const auto frames = read_frames(log());
-  ASSERT_EQ(frames.size(), 2U);
-  EXPECT_EQ(frames[0].width, 320);
-  EXPECT_NEAR(disparity(frames[0]), 30.0, 0.5);
-  EXPECT_NEAR(red_centre(frames[0].left, 320, 120).x, 199.5, 0.5);
-  EXPECT_NEAR(red_centre(frames[0].left, 320, 120).y, 59.5, 0.5);
 }
 
 TEST_F(VideoPair, CountsItsPicturesWhereARateIsGiven) {

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/video_stream.hpp"
+#include "services/stereo-camera/files/video_stream.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

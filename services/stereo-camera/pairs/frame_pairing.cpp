@@ -1,0 +1,42 @@
+#include "services/stereo-camera/pairs/frame_pairing.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+namespace markservo::stereo_camera {
+namespace {
+
+constexpr std::int64_t kAhead_us = 1000;  // between reading the two clocks a frame's time may seem to lie ahead
+
+bool recent(std::int64_t time_us, std::int64_t now_us) {
+  return time_us > 0 && time_us <= now_us + kAhead_us && time_us >= now_us - kMaxFrameAge_us;
+}
+
+}  // namespace
+
+Pairing pair_frames(std::int64_t left_us, std::int64_t right_us, std::int64_t frame_period_us) {
+  if (frame_period_us <= 0) {
+    throw std::invalid_argument("pair_frames: frame period is " + std::to_string(frame_period_us) +
+                                " us; allowed: above 0");
+  }
+  if (2 * std::llabs(left_us - right_us) <= frame_period_us) return Pairing::kPair;
+  return left_us < right_us ? Pairing::kDropLeft : Pairing::kDropRight;
+}
+
+Pairing pair_recorded(const Upcoming& left, const Upcoming& right, std::int64_t frame_period_us) {
+  const Pairing pairing = pair_frames(left.next_us, right.next_us, frame_period_us);
+  if (pairing != Pairing::kPair) return pairing;
+  const std::int64_t apart_us = std::llabs(left.next_us - right.next_us);
+  if (left.after_us && std::llabs(*left.after_us - right.next_us) < apart_us) return Pairing::kDropLeft;
+  if (right.after_us && std::llabs(*right.after_us - left.next_us) < apart_us) return Pairing::kDropRight;
+  return Pairing::kPair;
+}
+
+FrameTime frame_time(std::int64_t driver_us, const ClockReading& now) {
+  if (recent(driver_us, now.monotonic_us)) return {now.realtime_us - (now.monotonic_us - driver_us), true};
+  if (recent(driver_us, now.realtime_us)) return {driver_us, true};
+  return {now.realtime_us, false};
+}
+
+}  // namespace markservo::stereo_camera
