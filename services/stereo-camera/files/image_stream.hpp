@@ -13,8 +13,8 @@ enum class StreamStatus { kImage, kUnreadable, kEnd };
 struct StreamResult {
   StreamStatus status = StreamStatus::kEnd;
   cv::Mat image;  // BGR, 8 bits
-  std::int64_t time_us =
-      0;               // on the stream's own time line, of an unreadable picture as well; rises from one to the next
+  // On the stream's own time line, of an unreadable picture as well; rises from one to the next.
+  std::int64_t time_us = 0;
   std::string reason;  // where unreadable
 };
 

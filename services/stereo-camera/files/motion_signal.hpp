@@ -18,8 +18,8 @@ struct MotionStep {
 class MotionMeter {
  public:
   struct Parameters {
-    int width_px =
-        80;  // pictures are made this small, which averages the sensor's noise and leaves whole things' motion
+    // Pictures are made this small, which averages the sensor's noise and leaves whole things' motion.
+    int width_px = 80;
   };
 
   MotionMeter() : MotionMeter(Parameters{}) {}

@@ -37,8 +37,8 @@ struct OffsetParameters {
 };
 
 // Pearson's correlation of both motions at every offset of the search, of their square roots, so that the one largest
-// motion does not decide alone; its significance by Fisher's transform, with as
-// many independent values as widths of the peak fit into the overlap.
+// motion does not decide alone; its significance by Fisher's transform, with as many independent values as widths of
+// the peak fit into the overlap.
 OffsetEstimate estimate_offset(const std::vector<MotionStep>& left, const std::vector<MotionStep>& right,
                                const OffsetParameters& parameters);
 
