@@ -40,8 +40,8 @@ class Given {
       const std::size_t equals = words[i].rfind("--", 0) == 0 ? words[i].find('=') : std::string::npos;
       const std::string name = words[i].substr(0, equals);
       const bool needs_next = equals == std::string::npos;
-      if (needs_next && name.rfind('-', 0) == 0 && i + 1 == words.size()) throw UsageError(name + " needs a value");
       if (kOptions.count(name) == 0) throw UsageError("unknown argument '" + name + "'");
+      if (needs_next && i + 1 == words.size()) throw UsageError(name + " needs a value");
       values_[name] = needs_next ? words[++i] : words[i].substr(equals + 1);
     }
   }

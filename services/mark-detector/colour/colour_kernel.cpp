@@ -65,7 +65,7 @@ void CountLumaRow(const std::uint8_t* bgr, int width, LumaCounts& counts) {
   const Wide d;
   const hn::Rebind<std::uint8_t, Wide> bytes;
   const int n = static_cast<int>(hn::Lanes(d));
-  HWY_ALIGN std::uint8_t lumas[kBlock];
+  std::uint8_t* const lumas = counts.block.data();
   int u = 0;
   for (; u + kBlock <= width; u += kBlock) {
     for (int i = 0; i < kBlock; i += n) {
@@ -79,12 +79,12 @@ void CountLumaRow(const std::uint8_t* bgr, int width, LumaCounts& counts) {
       hn::Store(hn::DemoteTo(bytes, hn::ShiftRight<kLumaBits>(sum)), bytes, lumas + i);
     }
     for (int i = 0; i < kBlock; i += 4) {
-      for (std::size_t k = 0; k < 4; ++k) ++counts[k][lumas[static_cast<std::size_t>(i) + k]];
+      for (std::size_t k = 0; k < 4; ++k) ++counts.tables[k][lumas[static_cast<std::size_t>(i) + k]];
     }
   }
   for (; u < width; ++u) {
     const std::uint8_t* p = bgr + 3 * static_cast<std::ptrdiff_t>(u);
-    ++counts[0][static_cast<std::size_t>(luma(p[0], p[1], p[2]))];
+    ++counts.tables[0][static_cast<std::size_t>(luma(p[0], p[1], p[2]))];
   }
 }
 

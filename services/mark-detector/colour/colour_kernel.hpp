@@ -8,6 +8,7 @@
 
 #include "services/mark-detector/colour/frame_rule.hpp"
 #include "services/mark-detector/colour/luma_equalisation.hpp"
+#include "services/mark-detector/colour/pixel_block.hpp"
 
 namespace markservo::mark_detector {
 
@@ -17,9 +18,18 @@ namespace markservo::mark_detector {
 std::uint32_t classify_row(const std::uint8_t* bgr, int width, const FrameRule* rules, std::size_t num_rules,
                            const LumaShift& shift, std::uint64_t* const* words);
 
-// Counts the lumas of a row of `width` pixels. Four tables, to be added up: neighbours often have the same luma, and so
-// their increments do not wait for each other.
-using LumaCounts = std::array<std::array<std::uint32_t, 256>, 4>;
+// How often each luma was met. Four tables, to be added up: neighbours often have the same luma, and so their
+// increments do not wait for each other.
+struct LumaCounts {
+  static constexpr std::size_t kAlignment = 64;  // bytes, a cache line
+  alignas(kAlignment) std::array<std::array<std::uint32_t, 256>, 4> tables{};
+  // A block's lumas on their way into the tables. Behind them, since a processor takes a load for one that depends on
+  // the last stores when their lowest 12 address bits agree: so it is the counts of 0 to 15 that wait, not those of
+  // common lumas (Intel 64 and IA-32 Architectures Optimization Reference Manual, "4-KByte Aliasing").
+  alignas(kAlignment) std::array<std::uint8_t, kBlock> block{};
+};
+
+// Counts the lumas of a row of `width` pixels.
 void count_luma_row(const std::uint8_t* bgr, int width, LumaCounts& counts);
 
 }  // namespace markservo::mark_detector

@@ -10,9 +10,9 @@
 namespace markservo::mark_detector {
 
 void accumulate(const ImageView& image, LumaHistogram& histogram, int first_row, int row_step) {
-  LumaCounts counts{};
+  LumaCounts counts;
   for (int v = first_row; v < image.height; v += row_step) count_luma_row(image.row(v), image.width, counts);
-  for (const auto& table : counts) {
+  for (const auto& table : counts.tables) {
     for (std::size_t i = 0; i < table.size(); ++i) histogram[i] += table[i];
   }
 }

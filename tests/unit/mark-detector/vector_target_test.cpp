@@ -83,10 +83,11 @@ TEST_P(VectorTarget, CountsEveryLuma) {
     std::array<std::int64_t, 256> expected{};
     for (std::size_t u = 0; u < row.size(); u += 3)
       ++expected[static_cast<std::size_t>(luma(row[u], row[u + 1], row[u + 2]))];
-    LumaCounts counts{};
+    LumaCounts counts;
     count_luma_row(row.data(), width, counts);
     for (std::size_t i = 0; i < 256; ++i) {
-      ASSERT_EQ(std::int64_t{counts[0][i]} + counts[1][i] + counts[2][i] + counts[3][i], expected[i]) << "level " << i;
+      const auto& tables = counts.tables;
+      ASSERT_EQ(std::int64_t{tables[0][i]} + tables[1][i] + tables[2][i] + tables[3][i], expected[i]) << "level " << i;
     }
   }
 }

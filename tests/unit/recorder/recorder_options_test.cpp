@@ -86,6 +86,7 @@ TEST_F(Options, ThatAreNoneAreNamed) {
   EXPECT_EQ(objection({"--increment", "3"}), "unknown argument '--increment'");
   EXPECT_EQ(objection({"folder"}), "unknown argument 'folder'");
   EXPECT_EQ(objection({"--for"}), "--for needs a value");
+  EXPECT_EQ(objection({"--nosuch"}), "unknown argument '--nosuch'");
 }
 
 }  // namespace
