@@ -26,7 +26,7 @@ std::string size_text(const cv::Mat& matrix) {
 }
 
 std::optional<double> to_number(const YAML::Node& node) {
-  if (!node.IsScalar()) return std::nullopt;
+  if (!node.IsDefined() || !node.IsScalar()) return std::nullopt;  // of an absent node yaml-cpp's other questions throw
   if (node.Scalar() == ".Nan") return std::numeric_limits<double>::quiet_NaN();  // as OpenCV writes it
   double value = 0.0;
   if (!YAML::convert<double>::decode(node, value)) return std::nullopt;
@@ -77,7 +77,7 @@ cv::Mat CalibrationFile::any_matrix(const Keys& keys) const {
   std::vector<double> values;
   int rows = 1;
   if (node.IsMap()) {
-    values = numbers(key, node["data"]);
+    if (const YAML::Node data = node["data"]; data.IsDefined()) values = numbers(key, data);
     const double stated_rows = to_number(node["rows"]).value_or(0.0);
     const double stated_cols = to_number(node["cols"]).value_or(0.0);
     if (!(stated_rows >= 0.0) || stated_rows * stated_cols != static_cast<double>(values.size())) {
@@ -98,7 +98,7 @@ cv::Mat CalibrationFile::any_matrix(const Keys& keys) const {
     fail(key, "not a matrix", kMatrixForms);
   }
   if (values.empty()) return {};
-  const cv::Mat matrix = cv::Mat(values, true).reshape(1, rows);
+  cv::Mat matrix = cv::Mat(values, true).reshape(1, rows);
   if (!cv::checkRange(matrix)) fail(key, "not finite", "finite numbers");
   return matrix;
 }

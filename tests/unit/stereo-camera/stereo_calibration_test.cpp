@@ -134,6 +134,13 @@ TEST_F(StereoCalibrationFile, MayHaveNoMatrixOfAnotherShapeOrKind) {
   EXPECT_THAT(error_of(CalibrationText().set("K1", matrix_text(-3, 3, {"1."}))), HasSubstr("K1"));
 }
 
+TEST_F(StereoCalibrationFile, MayHaveNoMatrixOfWhichAPartIsMissing) {
+  for (const char* K1 : {"{cols: 1, data: [1, 2, 3]}", "{rows: 3, data: [1, 2, 3]}", "{rows: 3, cols: 3}", "{a: 1}",
+                         "{rows: [], cols: 1, data: [1]}", "{rows: 1, cols: 1, data: 5}", "[[1, 2], 3]"}) {
+    EXPECT_THAT(error_of(CalibrationText().set("K1", K1)), HasSubstr("'K1' is ")) << K1;
+  }
+}
+
 TEST_F(StereoCalibrationFile, MayHaveNoNumberThatIsNotFinite) {
   EXPECT_THAT(error_of(CalibrationText().set("D1", matrix_text(1, 4, {".NaN", "0.", "0.", "0."}))),
               AllOf(HasSubstr("D1"), HasSubstr("not finite")));
