@@ -8,6 +8,7 @@
 #include <markservo/StereoMatches.hpp>
 #include <markservo/TargetPose.hpp>
 
+#include "common/geometry/camera_bounds.hpp"
 #include "common/messages/covariance_rule.hpp"
 #include "common/messages/vector_rule.hpp"
 
@@ -23,7 +24,9 @@ std::string calibration_violation(const StereoCalibration& c) {
   if (!all_finite({c.fx, c.fy, c.cx_left, c.cx_right, c.cy, c.baseline})) return not_finite("calibration");
   if (c.fx <= 0.0) return wrong("calibration.fx", c.fx, "above 0 px");
   if (c.fy <= 0.0) return wrong("calibration.fy", c.fy, "above 0 px");
-  if (c.baseline <= 0.0) return wrong("calibration.baseline", c.baseline, "above 0 m");
+  if (const auto bounds = geometry::kBaselineBounds; !bounds.hold(c.baseline)) {
+    return wrong("calibration.baseline", c.baseline, fmt::format("{:.6g} to {:.6g} m", bounds.min, bounds.max));
+  }
   return {};
 }
 

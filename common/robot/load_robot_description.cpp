@@ -3,6 +3,7 @@
 #include <fstream>
 #include <set>
 
+#include "common/geometry/camera_bounds.hpp"
 #include "common/geometry/plane_pose.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/load_base.hpp"
@@ -19,16 +20,20 @@ using geometry::radians;
 // A mark smaller or larger than this is a slip of units.
 const Allowed kMarkSize = Allowed::between(0.001, 2.0);
 
+Allowed within(const geometry::Bounds& bounds) {
+  return Allowed::between(bounds.min, bounds.max);
+}
+
 CameraDescription load_cameras(YamlSection section) {
   CameraDescription cameras;
   cameras.width = section.integer("width_px", 1, 16384);
   cameras.height = section.integer("height_px", 1, 16384);
-  cameras.stereo.fx = section.number("fx_px", Allowed::positive());
-  cameras.stereo.fy = section.number("fy_px", Allowed::positive());
-  cameras.stereo.cx_left = section.number("cx_left_px", Allowed::any());
-  cameras.stereo.cx_right = section.number("cx_right_px", Allowed::any());
-  cameras.stereo.cy = section.number("cy_px", Allowed::any());
-  cameras.stereo.baseline = section.number("baseline", Allowed::positive());
+  cameras.stereo.fx = section.number("fx_px", within(geometry::focal_length_bounds(cameras.width)));
+  cameras.stereo.fy = section.number("fy_px", within(geometry::focal_length_bounds(cameras.width)));
+  cameras.stereo.cx_left = section.number("cx_left_px", within(geometry::principal_point_bounds(cameras.width)));
+  cameras.stereo.cx_right = section.number("cx_right_px", within(geometry::principal_point_bounds(cameras.width)));
+  cameras.stereo.cy = section.number("cy_px", within(geometry::principal_point_bounds(cameras.height)));
+  cameras.stereo.baseline = section.number("baseline", within(geometry::kBaselineBounds));
   cameras.p_RC = section.numbers("p_RC", 3, Allowed::any());
   section.require_all_used();
   return cameras;

@@ -1,6 +1,5 @@
 #include "services/stereo-camera/frame_message.hpp"
 
-#include "common/robot/configuration_error.hpp"
 #include "services/stereo-camera/encoder.hpp"
 
 namespace markservo::stereo_camera {
@@ -16,13 +15,8 @@ void FrameMessage::encode_jpeg_pictures(int quality) {
 }
 
 void FrameMessage::begin(const CameraGeometry& geometry, cv::Size size) {
-  if (geometry.size && size != *geometry.size) {
-    throw ConfigurationError("pictures are " + size_text(size) + "; allowed: " + size_text(*geometry.size) + " as in " +
-                             geometry.size_source +
-                             (geometry.calibration ? "" : " (or --calibration, or --fx and --baseline)"));
-  }
-  if (geometry.calibration) rectifier_ = std::make_unique<Rectifier>(*geometry.calibration, size);
-  const geometry::StereoCamera camera = geometry.camera(size);
+  cameras_ = choose_cameras(geometry, size);
+  const geometry::StereoCamera& camera = cameras_.camera;
   message_.calibration.fx = camera.fx;
   message_.calibration.fy = camera.fy;
   message_.calibration.cx_left = camera.cx_left;
@@ -37,10 +31,10 @@ void FrameMessage::begin(const CameraGeometry& geometry, cv::Size size) {
 StereoFrame& FrameMessage::of(const RawPair& pair, std::int64_t utime) {
   cv::Mat left = pair.left;
   cv::Mat right = pair.right;
-  if (rectifier_) {
+  if (cameras_.rectifier) {
     cv::Mat left_rectified;
     cv::Mat right_rectified;
-    rectifier_->rectify(left, right, left_rectified, right_rectified);
+    cameras_.rectifier->rectify(left, right, left_rectified, right_rectified);
     left = left_rectified;
     right = right_rectified;
   }

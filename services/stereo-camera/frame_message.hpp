@@ -2,12 +2,11 @@
 
 #include <cstdint>
 #include <markservo/StereoFrame.hpp>
-#include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
 
 #include "services/stereo-camera/calibration/camera_geometry.hpp"
-#include "services/stereo-camera/calibration/rectifier.hpp"
+#include "services/stereo-camera/calibration/chosen_cameras.hpp"
 #include "services/stereo-camera/pairs/frame_source.hpp"
 
 namespace markservo::stereo_camera {
@@ -22,13 +21,14 @@ class FrameMessage {
   // where the pictures do not suit the geometry.
   void begin(const CameraGeometry& geometry, cv::Size size);
   const std::optional<cv::Size>& size() const { return size_; }  // px; nothing before begin()
+  const ChosenCameras& cameras() const { return cameras_; }      // since begin()
 
   // Of a pair of that size, until the next one; session and seq are the publisher's.
   StereoFrame& of(const RawPair& pair, std::int64_t utime);
 
  private:
   std::optional<cv::Size> size_;
-  std::unique_ptr<Rectifier> rectifier_;
+  ChosenCameras cameras_;
   std::optional<int> jpeg_quality_;  // nothing: raw
   StereoFrame message_{};
 };

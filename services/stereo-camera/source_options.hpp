@@ -2,10 +2,12 @@
 
 // The settings that say where pairs come from, and the source they lead to.
 
+#include <cstdint>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "services/stereo-camera/devices/v4l2_device.hpp"
 #include "services/stereo-camera/pairs/frame_source.hpp"
@@ -21,8 +23,11 @@ struct SourceOptions {
   std::string input;  // one of them, side by side
   bool side_by_side = false;
   bool loop = false;
-  std::optional<double>
-      rate_hz;  // absent: what the video states, else kDefaultFileRate_hz; of cameras kDefaultDeviceRate_hz
+  // Of files: what pictures are played by, and videos in place of their own times. Absent: kDefaultFileRate_hz, and
+  // videos by their times. Of cameras: what is asked of them; absent: kDefaultDeviceRate_hz.
+  std::optional<double> rate_hz;
+  std::optional<double> offset_s;  // of two videos: right video's time minus left's at the same moment; absent: 0
+  bool estimate_offset = false;    // by what moves in both
   bool wait_for_device = false;
   int width = 0;        // px of one view, asked of cameras; 0: as calibrated
   int height = 0;       // px
@@ -34,9 +39,10 @@ inline constexpr double kDefaultDeviceRate_hz = 30.0;
 
 struct OpenedSource {
   std::unique_ptr<FrameSource> source;
-  bool live = false;     // cameras: they pace themselves and know when a frame was taken
-  double rate_hz = 0.0;  // of files
-  std::string note;      // pictures that are left out; empty when none is
+  bool live = false;                  // cameras: they pace themselves and know when a frame was taken
+  std::int64_t period_us = 0;         // of files: between two pictures, where none is missing
+  std::vector<std::string> warnings;  // pictures that are left out, rates that differ
+  std::string note;                   // the offset that was found; empty when none was looked for
 };
 
 // Checks that exactly one way is chosen and opens it. `view_size` is what one camera view should have where the options

@@ -21,6 +21,11 @@ constexpr milliseconds kPollSlice{50};      // longest wait between two looks at
 constexpr milliseconds kStatePeriod{1000};  // drops are told in one line per period
 constexpr int kFirstPairAttempts = 30;      // cameras may begin with damaged or unpaired frames
 
+void tell(const ChosenCameras& cameras) {
+  for (const std::string& warning : cameras.warnings) logging::warn("{}", warning);
+  logging::info("{}", cameras.summary);
+}
+
 }  // namespace
 
 void StereoCameraNode::add_options(CLI::App& app) {
@@ -28,21 +33,24 @@ void StereoCameraNode::add_options(CLI::App& app) {
 }
 
 void StereoCameraNode::configure(const std::string& robot_file) {
-  check(robot_file);
+  prepare(robot_file);
   read_first_pair();
 }
 
 // Devices are opened by the first read.
 void StereoCameraNode::check(const std::string& robot_file) {
+  prepare(robot_file);
+  if (geometry_.size) tell(choose_cameras(geometry_, *geometry_.size));
+}
+
+void StereoCameraNode::prepare(const std::string& robot_file) {
   // What OpenCV has to say goes into our own messages.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   if (options_.once) options_.count = 1;
   geometry_ = choose_geometry(options_.geometry, robot_file);
   source_ = open_source(options_.source, geometry_.size.value_or(cv::Size(640, 480)));
-  if (!source_.note.empty()) logging::warn("{}", source_.note);
-  if (geometry_.calibration && !geometry_.calibration->rms) {
-    logging::warn("{}: states no reprojection error; taken on trust", geometry_.size_source);
-  }
+  for (const std::string& warning : source_.warnings) logging::warn("{}", warning);
+  if (!source_.note.empty()) logging::info("{}", source_.note);
 }
 
 void StereoCameraNode::read_first_pair() {
@@ -54,12 +62,14 @@ void StereoCameraNode::read_first_pair() {
   }
   if (result.status == ReadStatus::kWaiting && options_.source.wait_for_device) {
     logging::warn("{}; waiting for it", result.reason);
+    if (geometry_.size) choose_cameras(geometry_, *geometry_.size);  // refused now, not when the camera is there
     return;
   }
   if (result.status != ReadStatus::kPair) {
     throw ConfigurationError(result.reason.empty() ? "the source holds no pictures; allowed: one pair or more"
                                                    : result.reason);
   }
+  if (!result.reason.empty()) logging::warn("{}", result.reason);
   const std::string complaint = pair_complaint(result.pair.left, result.pair.right, cv::Size());
   if (!complaint.empty()) throw ConfigurationError("first pair: " + complaint);
   frame_.begin(geometry_, result.pair.left.size());
@@ -85,6 +95,7 @@ void StereoCameraNode::start(bus::Bus& bus) {
 }
 
 void StereoCameraNode::run(bus::Bus& bus) {
+  if (frame_.size()) tell(frame_.cameras());
   bus.every(kStatePeriod, [this, &bus] { tell_state(bus); });
   if (source_.live) {
     run_cameras(bus);
@@ -102,7 +113,7 @@ void StereoCameraNode::run_files(bus::Bus& bus) {
   const auto now_us = [&] {
     return std::chrono::duration_cast<microseconds>(std::chrono::steady_clock::now() - steady_start).count();
   };
-  Schedule schedule(0, source_.rate_hz);
+  Schedule schedule(0, first_ ? first_->time_us : 0, source_.period_us);
   while (!done() && bus.poll(milliseconds(0))) {
     ReadResult result{ReadStatus::kPair, {}, ""};
     if (first_) {
@@ -120,10 +131,10 @@ void StereoCameraNode::run_files(bus::Bus& bus) {
     }
     if (!result.reason.empty()) logging::warn("{}", result.reason);
     if (!paced) {
-      publish(result.pair, time_of(kLogEpoch_us, result.pair.index, source_.rate_hz));
+      publish(result.pair, kLogEpoch_us + result.pair.time_us);
       continue;
     }
-    const std::int64_t due_us = schedule.due(result.pair.index, now_us());
+    const std::int64_t due_us = schedule.due(result.pair.time_us, now_us());
     while (now_us() < due_us) {
       const auto left = std::chrono::ceil<milliseconds>(microseconds(due_us - now_us()));
       if (!bus.poll(std::min(left, kPollSlice))) return;
@@ -163,6 +174,7 @@ void StereoCameraNode::run_cameras(bus::Bus& bus) {
       }
       try {
         frame_.begin(geometry_, news.pair->left.size());
+        tell(frame_.cameras());
       } catch (const ConfigurationError& error) {
         drop(error.what());
         continue;

@@ -31,6 +31,7 @@ class StereoCameraNode : public bus::Service {
   std::int64_t dropped() const { return record_.dropped(); }
 
  private:
+  void prepare(const std::string& robot_file);
   void read_first_pair();
   void choose_encoding(const bus::BusUrls& urls);
   void run_files(bus::Bus& bus);

@@ -1,9 +1,12 @@
 #include "services/stereo-camera/calibration/camera_geometry.hpp"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "common/geometry/camera_bounds.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
 
@@ -37,16 +40,43 @@ void check_overrides(const GeometryOptions& options) {
   }
   require_positive(options.fx, "--fx", "px");
   require_positive(options.fy, "--fy", "px");
-  require_positive(options.baseline, "--baseline", "m");
+  if (const geometry::Bounds bounds = geometry::kBaselineBounds; !bounds.hold(*options.baseline)) {
+    throw ConfigurationError(
+        fmt::format("--baseline is {:.6g} m; allowed: {:.6g} to {:.6g} m", *options.baseline, bounds.min, bounds.max));
+  }
   require_finite(options.cx_left, "--cx-left");
   require_finite(options.cx_right, "--cx-right");
   require_finite(options.cy, "--cy");
 }
 
+// The longest a unit or a square can be, m: more is another slip of units.
+constexpr double kLargestUnit = 10.0;
+
+void check_unit(const std::optional<double>& value, const std::string& option) {
+  if (value && !(*value > 0.0 && *value <= kLargestUnit)) {
+    throw ConfigurationError(
+        fmt::format("{} is {:.6g} m; allowed: above 0 and up to {:.6g} m", option, *value, kLargestUnit));
+  }
+}
+
+CalibrationOptions calibration_options(const GeometryOptions& options) {
+  check_unit(options.metres_per_unit, "--metres-per-unit");
+  check_unit(options.board_square, "--board-square");
+  if (options.metres_per_unit && options.board_square) {
+    throw ConfigurationError("--metres-per-unit and --board-square are both given; allowed: one of them");
+  }
+  CalibrationOptions result;
+  result.accept_any_error = options.accept_any_error;
+  result.metres_per_unit = options.metres_per_unit;
+  result.board_square = options.board_square;
+  if (options.lens == "pinhole") result.lens = Lens::kPinhole;
+  if (options.lens == "fisheye") result.lens = Lens::kFisheye;
+  return result;
+}
+
 }  // namespace
 
-geometry::StereoCamera CameraGeometry::camera(cv::Size picture_size) const {
-  if (calibration) return rectified_camera(*calibration, options.limits.metres_per_unit);
+geometry::StereoCamera CameraGeometry::as_rectified(cv::Size picture_size) const {
   if (!overridden) return from_robot;
   // Pixel centres are at integers, so the middle of n px is (n - 1) / 2.
   const double middle_u = 0.5 * (picture_size.width - 1);
@@ -58,6 +88,8 @@ geometry::StereoCamera CameraGeometry::camera(cv::Size picture_size) const {
   camera.cx_right = options.cx_right.value_or(middle_u);
   camera.cy = options.cy.value_or(middle_v);
   camera.baseline = *options.baseline;
+  const std::string why = geometry::implausibility(camera, picture_size.width, picture_size.height);
+  if (!why.empty()) throw ConfigurationError("--fx and its companions: " + why);
   return camera;
 }
 
@@ -69,7 +101,7 @@ CameraGeometry choose_geometry(const GeometryOptions& options, const std::string
         "cameras are described twice; allowed: one of --calibration, --intrinsics with --extrinsics, or --fx and its "
         "companions");
   }
-  require_positive(options.limits.metres_per_unit, "--metres-per-unit", "m");
+  const CalibrationOptions reading = calibration_options(options);
   CameraGeometry geometry;
   geometry.options = options;
   geometry.overridden = overridden;
@@ -77,11 +109,11 @@ CameraGeometry choose_geometry(const GeometryOptions& options, const std::string
     if (options.intrinsics.empty() || options.extrinsics.empty()) {
       throw ConfigurationError("only one of --intrinsics and --extrinsics is given; allowed: both");
     }
-    geometry.calibration = load_stereo_calibration(options.intrinsics, options.extrinsics, options.limits);
+    geometry.calibration = load_stereo_calibration({options.intrinsics, options.extrinsics}, reading);
     geometry.size_source = options.intrinsics;
   } else if (!options.calibration.empty()) {
-    geometry.calibration = load_stereo_calibration(options.calibration, options.limits);
-    geometry.size_source = options.calibration;
+    geometry.calibration = load_stereo_calibration(options.calibration, reading);
+    geometry.size_source = options.calibration.front();
   } else if (overridden) {
     check_overrides(options);
   } else {

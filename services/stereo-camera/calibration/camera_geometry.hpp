@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/geometry/stereo_camera.hpp"
 #include "services/stereo-camera/calibration/stereo_calibration.hpp"
@@ -12,10 +13,13 @@
 namespace markservo::stereo_camera {
 
 struct GeometryOptions {
-  std::string calibration;  // one file, or
-  std::string intrinsics;   // the two files of OpenCV's stereo_calib sample
+  std::vector<std::string> calibration;  // one file of both cameras or the left and the right one's, or
+  std::string intrinsics;                // the two files of OpenCV's stereo_calib sample
   std::string extrinsics;
-  CalibrationLimits limits;
+  std::optional<double> metres_per_unit;  // m
+  std::optional<double> board_square;     // m
+  std::string lens = "auto";              // auto, pinhole or fisheye
+  bool accept_any_error = false;
   // Rectified pictures of other people's cameras.
   std::optional<double> fx;        // px
   std::optional<double> fy;        // px; absent: fx
@@ -33,8 +37,9 @@ struct CameraGeometry {
   bool overridden = false;            // by options.fx and its companions
   geometry::StereoCamera from_robot;  // where neither calibration nor overrides are given
 
-  // The rectified pair for pictures of `picture_size`.
-  geometry::StereoCamera camera(cv::Size picture_size) const;
+  // Without a calibration: the cameras of pictures of `picture_size` that are rectified already. Throws
+  // ConfigurationError where the numbers cannot be those of such pictures.
+  geometry::StereoCamera as_rectified(cv::Size picture_size) const;
 };
 
 // Throws ConfigurationError. `robot_file` is read only where neither a calibration nor overrides are given.

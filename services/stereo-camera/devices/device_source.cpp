@@ -106,7 +106,7 @@ ReadResult DeviceSource::read_side_by_side() {
     return result(ReadStatus::kDropped,
                   "side-by-side picture is " + size_text(both.size()) + "; allowed: an even width");
   }
-  return {ReadStatus::kPair, {halves->left, halves->right, 0, utime}, ""};
+  return {ReadStatus::kPair, {halves->left, halves->right, 0, 0, utime}, ""};
 }
 
 }  // namespace markservo::stereo_camera

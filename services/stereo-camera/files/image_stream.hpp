@@ -2,9 +2,9 @@
 
 // One side's pictures from files, in order.
 
+#include <cstdint>
 #include <opencv2/core.hpp>
 #include <string>
-#include <vector>
 
 namespace markservo::stereo_camera {
 
@@ -12,7 +12,9 @@ enum class StreamStatus { kImage, kUnreadable, kEnd };
 
 struct StreamResult {
   StreamStatus status = StreamStatus::kEnd;
-  cv::Mat image;       // BGR, 8 bits
+  cv::Mat image;  // BGR, 8 bits
+  // On the stream's own time line, of an unreadable picture as well; rises from one to the next.
+  std::int64_t time_us = 0;
   std::string reason;  // where unreadable
 };
 
@@ -24,7 +26,7 @@ class ImageStream {
   // Back to the first picture.
   virtual void rewind() = 0;
 
-  // Frames per second as the file states it; 0 where it does not.
+  // Pictures per second: as the file states it, or as it was told to play; 0 where neither is known.
   virtual double rate() const = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -88,10 +89,10 @@ PairedPictures pair_by_number(const std::vector<NumberedPicture>& left, const st
   PairedPictures paired;
   auto l = left.begin();
   auto r = right.begin();
-  while (l != left.end() && r != right.end()) {
+  for (std::int64_t place = 0; l != left.end() && r != right.end(); ++place) {
     if (l->number == r->number) {
-      paired.left.push_back((l++)->path);
-      paired.right.push_back((r++)->path);
+      paired.left.push_back({place, (l++)->path});
+      paired.right.push_back({place, (r++)->path});
     } else if (l->number < r->number) {
       ++l;
     } else {
@@ -109,6 +110,13 @@ PairedPictures pair_by_number(const std::vector<NumberedPicture>& left, const st
                   "; only the " + std::to_string(paired.left.size()) + " with a partner are used";
   }
   return paired;
+}
+
+std::vector<PlacedPicture> placed(const std::vector<NumberedPicture>& pictures) {
+  std::vector<PlacedPicture> all;
+  all.reserve(pictures.size());
+  for (const NumberedPicture& picture : pictures) all.push_back({static_cast<std::int64_t>(all.size()), picture.path});
+  return all;
 }
 
 bool is_picture_name(const std::string& name) {

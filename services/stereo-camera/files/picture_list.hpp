@@ -3,8 +3,9 @@
 // Which picture files a pattern stands for, and which of two lists belong together.
 
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "services/stereo-camera/files/picture_stream.hpp"
 
 namespace markservo::stereo_camera {
 
@@ -20,13 +21,18 @@ struct NumberedPicture {
 std::vector<NumberedPicture> expand_pattern(const std::string& pattern, const std::string& option);
 
 struct PairedPictures {
-  std::vector<std::string> left;
-  std::vector<std::string> right;
+  std::vector<PlacedPicture> left;
+  std::vector<PlacedPicture> right;
   std::string note;  // which pictures have no partner; empty when all have
 };
 
-// The pictures whose numbers both lists have, in order. Throws ConfigurationError where there is none.
+// The pictures whose numbers both lists have, in order. A number that only one of them has was taken and lost, and
+// keeps its place; one that neither has was never taken, as far as anybody knows. Throws ConfigurationError where there
+// is no number in common.
 PairedPictures pair_by_number(const std::vector<NumberedPicture>& left, const std::vector<NumberedPicture>& right);
+
+// All of `pictures`, one place after the other.
+std::vector<PlacedPicture> placed(const std::vector<NumberedPicture>& pictures);
 
 // Whether the name is a picture's or a pattern's; anything else is taken as a video.
 bool is_picture_name(const std::string& name);

@@ -18,11 +18,11 @@ std::int64_t time_of(std::int64_t start_us, std::int64_t n, double rate_hz) {
   return start_us + static_cast<std::int64_t>(std::llround(kMicroseconds * static_cast<double>(n) / rate_hz));
 }
 
-std::int64_t Schedule::due(std::int64_t index, std::int64_t now_us) {
-  const std::int64_t planned = time_of(start_us_, index, rate_hz_);
+std::int64_t Schedule::due(std::int64_t time_us, std::int64_t now_us) {
+  const std::int64_t planned = time_us + shift_us_;
   const std::int64_t late = now_us - planned;
-  if (late <= time_of(0, 1, rate_hz_)) return planned;
-  start_us_ += late;
+  if (late <= period_us_) return planned;
+  shift_us_ += late;
   return now_us;
 }
 

@@ -15,14 +15,16 @@ std::int64_t time_of(std::int64_t start_us, std::int64_t n, double rate_hz);
 // sending a burst of old pairs.
 class Schedule {
  public:
-  Schedule(std::int64_t start_us, double rate_hz) : start_us_(start_us), rate_hz_(rate_hz) {}
+  // The pair of file time `first_us` is due at `start_us`.
+  Schedule(std::int64_t start_us, std::int64_t first_us, std::int64_t period_us)
+      : shift_us_(start_us - first_us), period_us_(period_us) {}
 
-  // When pair `index` is due, us; call once per pair with the clock's present reading.
-  std::int64_t due(std::int64_t index, std::int64_t now_us);
+  // When the pair of file time `time_us` is due, us; call once per pair with the clock's present reading.
+  std::int64_t due(std::int64_t time_us, std::int64_t now_us);
 
  private:
-  std::int64_t start_us_;
-  double rate_hz_;
+  std::int64_t shift_us_;
+  std::int64_t period_us_;
 };
 
 }  // namespace markservo::stereo_camera

@@ -24,6 +24,15 @@ Pairing pair_frames(std::int64_t left_us, std::int64_t right_us, std::int64_t fr
   return left_us < right_us ? Pairing::kDropLeft : Pairing::kDropRight;
 }
 
+Pairing pair_recorded(const Upcoming& left, const Upcoming& right, std::int64_t frame_period_us) {
+  const Pairing pairing = pair_frames(left.next_us, right.next_us, frame_period_us);
+  if (pairing != Pairing::kPair) return pairing;
+  const std::int64_t apart_us = std::llabs(left.next_us - right.next_us);
+  if (left.after_us && std::llabs(*left.after_us - right.next_us) < apart_us) return Pairing::kDropLeft;
+  if (right.after_us && std::llabs(*right.after_us - left.next_us) < apart_us) return Pairing::kDropRight;
+  return Pairing::kPair;
+}
+
 FrameTime frame_time(std::int64_t driver_us, const ClockReading& now) {
   if (recent(driver_us, now.monotonic_us)) return {now.realtime_us - (now.monotonic_us - driver_us), true};
   if (recent(driver_us, now.realtime_us)) return {driver_us, true};

@@ -3,6 +3,7 @@
 // Which frames of two free-running cameras show the same moment, and when that was.
 
 #include <cstdint>
+#include <optional>
 
 namespace markservo::stereo_camera {
 
@@ -14,6 +15,14 @@ enum class Pairing {
 
 // Judges two frame times of one clock (us) at `frame_period_us` (above 0, else std::invalid_argument).
 Pairing pair_frames(std::int64_t left_us, std::int64_t right_us, std::int64_t frame_period_us);
+
+// The same of the next pictures of two recordings, where the ones after them are known too (absent at the end): a
+// picture is dropped also where the next one of its side is nearer to the other side's. Times rise.
+struct Upcoming {
+  std::int64_t next_us = 0;
+  std::optional<std::int64_t> after_us;
+};
+Pairing pair_recorded(const Upcoming& left, const Upcoming& right, std::int64_t frame_period_us);
 
 // What a clock of the host says at one moment, us.
 struct ClockReading {

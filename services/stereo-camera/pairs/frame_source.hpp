@@ -14,6 +14,7 @@ struct RawPair {
   cv::Mat left;
   cv::Mat right;
   std::int64_t index = 0;                      // of the source, from 0; pairs that were dropped count as well
+  std::int64_t time_us = 0;                    // of files: on their own time line, rising
   std::optional<std::int64_t> exposure_utime;  // us since the epoch, where the source knows it
 };
 

@@ -50,7 +50,7 @@ TEST(StereoFrameRules, RefuseImpossibleSizesAndCalibrations) {
     frame.width = width;
     EXPECT_NE(violation(frame).find("width"), std::string::npos);
   }
-  for (const double baseline : {0.0, -0.065, std::nan("")}) {
+  for (const double baseline : {0.0, -0.065, 65.0, std::nan("")}) {
     auto frame = small_frame();
     frame.calibration.baseline = baseline;
     const char* field = std::isnan(baseline) ? "calibration is not finite" : "calibration.baseline is ";

@@ -51,6 +51,16 @@ TEST_F(RobotFile, WithNotANumberIsRefused) {
   EXPECT_NE(refusal().find("cameras.baseline"), std::string::npos);
 }
 
+TEST_F(RobotFile, WithCamerasThatCannotBeIsRefusedWithWhatIsAllowed) {
+  change("baseline: 0.065", "baseline: 65");
+  EXPECT_NE(refusal().find("'cameras.baseline' is 65; allowed: a number from 0.001 to 2"), std::string::npos)
+      << refusal();
+  change("baseline: 65", "baseline: 0.065");
+  change("fx_px: 784.0", "fx_px: 3.6e9");
+  EXPECT_NE(refusal().find("'cameras.fx_px' is 3.6e9; allowed: a number from 64 to 19200"), std::string::npos)
+      << refusal();
+}
+
 TEST_F(RobotFile, WithAKeyTwiceIsRefusedWithBothLines) {
   change("  baseline: 0.065", "  baseline: 0.065\n  baseline: 0.075");
   const std::string why = refusal();

@@ -17,23 +17,28 @@
 namespace markservo::stereo_camera {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
-// Plays images that hold their own number; an empty one counts as unreadable.
+// Plays images at given times (ms); an empty one counts as unreadable.
 class FakeStream : public ImageStream {
  public:
-  explicit FakeStream(std::vector<cv::Mat> images) : images_(std::move(images)) {}
+  FakeStream(std::vector<cv::Mat> images, std::vector<std::int64_t> times_ms, double rate_hz)
+      : images_(std::move(images)), times_ms_(std::move(times_ms)), rate_hz_(rate_hz) {}
   StreamResult next() override {
     if (position_ == images_.size()) return {};
-    const cv::Mat& image = images_[position_++];
-    return image.empty() ? StreamResult{StreamStatus::kUnreadable, {}, "fake: not readable"}
-                         : StreamResult{StreamStatus::kImage, image, ""};
+    const cv::Mat& image = images_[position_];
+    const std::int64_t time_us = 1000 * times_ms_[position_++];
+    return image.empty() ? StreamResult{StreamStatus::kUnreadable, {}, time_us, "fake: not readable"}
+                         : StreamResult{StreamStatus::kImage, image, time_us, ""};
   }
   void rewind() override { position_ = 0; }
-  double rate() const override { return 0.0; }
+  double rate() const override { return rate_hz_; }
 
  private:
   std::vector<cv::Mat> images_;
+  std::vector<std::int64_t> times_ms_;
+  double rate_hz_;
   std::size_t position_ = 0;
 };
 
@@ -41,8 +46,18 @@ cv::Mat grey(int value, int width = 4) {
   return cv::Mat(2, width, CV_8UC3, cv::Scalar::all(value));
 }
 
+// At 10 pictures a second.
 std::unique_ptr<ImageStream> stream(std::vector<cv::Mat> images) {
-  return std::make_unique<FakeStream>(std::move(images));
+  std::vector<std::int64_t> times_ms;
+  for (std::size_t i = 0; i < images.size(); ++i) times_ms.push_back(100 * static_cast<std::int64_t>(i));
+  return std::make_unique<FakeStream>(std::move(images), std::move(times_ms), 10.0);
+}
+
+// Pictures at these times; each holds its time in periods of 10 ms.
+std::unique_ptr<ImageStream> stream_at(const std::vector<std::int64_t>& times_ms, double rate_hz = 10.0) {
+  std::vector<cv::Mat> images;
+  for (const std::int64_t time_ms : times_ms) images.push_back(grey(static_cast<int>(time_ms / 10)));
+  return std::make_unique<FakeStream>(std::move(images), times_ms, rate_hz);
 }
 
 int value(const cv::Mat& image) {
@@ -80,6 +95,74 @@ TEST(FileSource, StopsAtTheShorterSideAndSaysSo) {
   const ReadResult end = source.read();
   EXPECT_EQ(end.status, ReadStatus::kEnd);
   EXPECT_THAT(end.reason, HasSubstr("right ends after 1 pictures"));
+}
+
+// "time: left/right" of every pair, ms, "-" for what was dropped, and why it ended.
+std::string told(FileSource& source, int most = 100) {
+  std::string text;
+  for (int i = 0; i < most; ++i) {
+    const ReadResult result = source.read();
+    if (result.status == ReadStatus::kEnd) return text + result.reason;
+    if (result.status == ReadStatus::kDropped) {
+      text += "- ";
+      continue;
+    }
+    text += std::to_string(result.pair.time_us / 1000) + ": " + std::to_string(10 * value(result.pair.left)) + "/" +
+            std::to_string(10 * value(result.pair.right)) + " ";
+  }
+  return text;
+}
+
+TEST(FileSource, PairsByTimeWhereOneSideLostPictures) {
+  FileSource source(stream_at({0, 100, 200, 300, 400, 500}), stream_at({0, 100, 400, 500}), false);
+  EXPECT_EQ(told(source), "0: 0/0 100: 100/100 - - 400: 400/400 500: 500/500 ");
+}
+
+TEST(FileSource, LeavesAGapWhereBothSidesLostPictures) {
+  FileSource source(stream_at({0, 100, 500}), stream_at({0, 100, 500}), false);
+  EXPECT_EQ(told(source), "0: 0/0 100: 100/100 500: 500/500 ");
+}
+
+TEST(FileSource, GivesTheMiddleOfBothTimes) {
+  FileSource source(stream_at({0, 100}), stream_at({20, 120}), false);
+  EXPECT_EQ(told(source), "10: 0/20 110: 100/120 ");
+}
+
+TEST(FileSource, PairsTheNearestOfFreeRunningCameras) {
+  FileSource source(stream_at({0, 100, 200, 300}), stream_at({60, 160, 260, 360}), false);
+  EXPECT_THAT(told(source), HasSubstr("80: 100/60 180: 200/160 280: 300/260"));
+}
+
+TEST(FileSource, TakesTheNearerPictureThoughTheFirstIsNearEnough) {
+  FileSource source(stream_at({0, 40, 140}), stream_at({50, 150}), false);
+  EXPECT_THAT(told(source), HasSubstr("45: 40/50 145: 140/150"));
+}
+
+TEST(FileSource, TakesOfAFasterVideoThePicturesOfTheSlowerOnesTimes) {
+  FileSource source(stream_at({0, 100, 200}, 10.0), stream_at({0, 50, 100, 150, 200, 250}, 20.0), false);
+  EXPECT_THAT(told(source), HasSubstr("0: 0/0 - 100: 100/100 - 200: 200/200 "));
+}
+
+TEST(FileSource, ShiftsTheRightTimesByTheOffset) {
+  FileSource source(stream_at({0, 100, 200, 300}), stream_at({500, 600, 700, 800}), false, 400'000);
+  EXPECT_THAT(told(source), HasSubstr("100: 100/500 200: 200/600 300: 300/700 left ends after 4 pictures"));
+}
+
+TEST(FileSource, SaysHowMuchOfABeginningIsLeftOut) {
+  FileSource source(stream_at({0, 100, 200}), stream_at({200, 300}), false);
+  const ReadResult first = source.read();
+  ASSERT_EQ(first.status, ReadStatus::kPair);
+  EXPECT_EQ(first.reason, "before the first pair, 2 pictures of the left and 0 of the right are left out");
+}
+
+TEST(FileSource, SaysWhenTheTwoShareNoTime) {
+  FileSource source(stream_at({0, 100}), stream_at({5000, 5100}), true);
+  EXPECT_THAT(told(source), HasSubstr("none of the left's 2 pictures is within half a period (50 ms)"));
+}
+
+TEST(FileSource, LoopsWithTimesThatGoOn) {
+  FileSource source(stream_at({200, 300}), stream_at({200, 300}), true);
+  EXPECT_EQ(told(source, 5), "200: 200/200 300: 300/300 400: 200/200 500: 300/300 600: 200/200 ");
 }
 
 TEST(FileSource, LoopsWithNumbersThatGoOn) {
@@ -128,38 +211,20 @@ TEST(PictureStream, ReportsAFileThatIsNoPictureAndGoesOn) {
   const std::string broken = folder.write("a.png", "not a picture");
   const std::string good = folder.file("b.png");
   ASSERT_TRUE(cv::imwrite(good, grey(5)));
-  PictureStream pictures({broken, folder.file("absent.png"), good});
+  PictureStream pictures({{0, broken}, {1, folder.file("absent.png")}, {4, good}}, 10.0);
   EXPECT_EQ(pictures.next().status, StreamStatus::kUnreadable);
   EXPECT_EQ(pictures.next().status, StreamStatus::kUnreadable);
   const StreamResult result = pictures.next();
   ASSERT_EQ(result.status, StreamStatus::kImage);
   EXPECT_EQ(value(result.image), 5);
+  EXPECT_EQ(result.time_us, 400'000) << "what was lost leaves a gap";
   EXPECT_EQ(pictures.next().status, StreamStatus::kEnd);
 }
 
 TEST(PictureStream, TurnsGreyPicturesIntoColour) {
   const TemporaryFolder folder;
   ASSERT_TRUE(cv::imwrite(folder.file("a.png"), cv::Mat(2, 4, CV_8UC1, cv::Scalar(9))));
-  EXPECT_EQ(PictureStream({folder.file("a.png")}).next().image.type(), CV_8UC3);
-}
-
-TEST(VideoStream, ReadsEveryFrameAndTheRate) {
-  VideoStream video(OPENCV_EXAMPLES "/vtest.avi", "--left");
-  EXPECT_DOUBLE_EQ(video.rate(), 10.0);
-  const StreamResult first = video.next();
-  ASSERT_EQ(first.status, StreamStatus::kImage);
-  EXPECT_EQ(first.image.size(), cv::Size(768, 576));
-  const cv::Mat kept = first.image.clone();
-  ASSERT_EQ(video.next().status, StreamStatus::kImage);
-  EXPECT_EQ(cv::norm(first.image, kept, cv::NORM_INF), 0.0) << "a frame changed while the next was read";
-  video.rewind();
-  EXPECT_EQ(cv::norm(video.next().image, kept, cv::NORM_INF), 0.0);
-}
-
-TEST(VideoStream, RefusesWhatIsNoVideo) {
-  const TemporaryFolder folder;
-  EXPECT_THROW(VideoStream(folder.write("a.avi", "not a video"), "--left"), ConfigurationError);
-  EXPECT_THROW(VideoStream(folder.file("absent.avi"), "--left"), ConfigurationError);
+  EXPECT_EQ(PictureStream({{0, folder.file("a.png")}}, 10.0).next().image.type(), CV_8UC3);
 }
 
 class SourceChoice : public testing::Test {
@@ -212,12 +277,32 @@ TEST_F(SourceChoice, NeedsAPossibleRate) {
   }
 }
 
-TEST_F(SourceChoice, OfVideosNeedsOneRate) {
+TEST_F(SourceChoice, OfVideosOfTwoRatesSaysSo) {
   options_.left = OPENCV_EXAMPLES "/vtest.avi";
   options_.right = OPENCV_EXAMPLES "/tree.avi";
-  EXPECT_THAT(error(), HasSubstr("the same rate"));
+  const OpenedSource opened = open_source(options_, cv::Size(640, 480));
+  ASSERT_EQ(opened.warnings.size(), 1U);
+  EXPECT_THAT(opened.warnings[0], AllOf(HasSubstr("--left has 10 pictures"), HasSubstr("--right 14.9999")));
   options_.rate_hz = 10.0;
+  EXPECT_TRUE(open_source(options_, cv::Size(640, 480)).warnings.empty());
+}
+
+TEST_F(SourceChoice, HasAnOffsetOfTwoVideosOnly) {
+  const TemporaryFolder folder;
+  options_.left = options_.right = folder.write("a.png", "");
+  options_.offset_s = 0.5;
+  EXPECT_THAT(error(), HasSubstr("--offset-s is given without two videos"));
+  options_.offset_s.reset();
+  options_.estimate_offset = true;
+  EXPECT_THAT(error(), HasSubstr("--estimate-offset is given without two videos"));
+  options_ = {};
+  options_.left = options_.right = OPENCV_EXAMPLES "/vtest.avi";
+  options_.offset_s = std::nan("");
+  EXPECT_THAT(error(), HasSubstr("--offset-s is nan"));
+  options_.offset_s = 0.5;
   EXPECT_EQ(error(), "");
+  options_.estimate_offset = true;
+  EXPECT_THAT(error(), HasSubstr("both given"));
 }
 
 TEST_F(SourceChoice, MayNotMixVideosAndPictures) {

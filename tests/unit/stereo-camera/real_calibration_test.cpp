@@ -176,10 +176,12 @@ TEST_F(RealCameras, PublishTheRectifiedCamerasInMetres) {
 
 TEST_F(RealCameras, MayBeCalibratedInSquaresOfTheBoard) {
   const std::string path = write_calibration(kSquare_m);
-  ASSERT_EQ(run({"--calibration", path, "--once", "--metres-per-unit", "0.025"}).exit_code, 0);
-  const auto frames = read_frames(log());
-  ASSERT_EQ(frames.size(), 1U);
-  EXPECT_NEAR(frames[0].calibration.baseline, cv::norm(T_), 1e-6);
+  for (const char* option : {"--board-square", "--metres-per-unit"}) {
+    ASSERT_EQ(run({"--calibration", path, "--once", option, "0.025"}).exit_code, 0);
+    const auto frames = read_frames(log());
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_NEAR(frames[0].calibration.baseline, cv::norm(T_), 1e-6);
+  }
 }
 
 }  // namespace

@@ -19,16 +19,21 @@ TEST(TimeOfAPair, NeedsARate) {
 }
 
 TEST(Schedule, KeepsItsTimesWhileTheReaderKeepsUp) {
-  Schedule schedule(1000, 10.0);
-  EXPECT_EQ(schedule.due(0, 1000), 1000);
-  EXPECT_EQ(schedule.due(1, 50'000), 101'000);
-  EXPECT_EQ(schedule.due(2, 290'000), 201'000);
+  Schedule schedule(1000, 7'000'000, 100'000);
+  EXPECT_EQ(schedule.due(7'000'000, 1000), 1000);
+  EXPECT_EQ(schedule.due(7'100'000, 50'000), 101'000);
+  EXPECT_EQ(schedule.due(7'200'000, 290'000), 201'000);
+}
+
+TEST(Schedule, KeepsGaps) {
+  Schedule schedule(0, 0, 100'000);
+  EXPECT_EQ(schedule.due(2'500'000, 110'000), 2'500'000);
 }
 
 TEST(Schedule, MovesWhereTheReaderFallsBehindInsteadOfSendingABurst) {
-  Schedule schedule(0, 10.0);
-  EXPECT_EQ(schedule.due(1, 450'000), 450'000);
-  EXPECT_EQ(schedule.due(2, 460'000), 550'000);
+  Schedule schedule(0, 0, 100'000);
+  EXPECT_EQ(schedule.due(100'000, 450'000), 450'000);
+  EXPECT_EQ(schedule.due(200'000, 460'000), 550'000);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "calibration_text.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "services/stereo-camera/calibration/rectification.hpp"
 #include "services/stereo-camera/calibration/rectifier.hpp"
 #include "temporary_folder.hpp"
 
@@ -18,16 +19,16 @@ using testing::Not;
 class StereoCalibrationFile : public testing::Test {
  protected:
   // The error of loading `text`, or "accepted".
-  std::string error_of(const std::string& text, const CalibrationLimits& limits = {}) const {
+  std::string error_of(const std::string& text, const CalibrationOptions& options = {}) const {
     try {
-      load_stereo_calibration(folder_.write("stereo.yml", text), limits);
+      load_stereo_calibration({folder_.write("stereo.yml", text)}, options);
     } catch (const ConfigurationError& error) {
       return error.what();
     }
     return "accepted";
   }
-  std::string error_of(const CalibrationText& text, const CalibrationLimits& limits = {}) const {
-    return error_of(text.text(), limits);
+  std::string error_of(const CalibrationText& text, const CalibrationOptions& options = {}) const {
+    return error_of(text.text(), options);
   }
 
   TemporaryFolder folder_;
@@ -35,8 +36,8 @@ class StereoCalibrationFile : public testing::Test {
 };
 
 TEST_F(StereoCalibrationFile, GivesFocalLengthPrincipalPointAndBaselineOfP1AndP2) {
-  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.text()), {});
-  const auto camera = rectified_camera(calibration, 1.0);
+  const auto calibration = load_stereo_calibration({folder_.write("stereo.yml", good_.text())}, {});
+  const auto camera = rectified_camera(calibration);
   EXPECT_EQ(calibration.image_size, cv::Size(64, 48));
   EXPECT_DOUBLE_EQ(camera.fx, 50.0);
   EXPECT_DOUBLE_EQ(camera.fy, 50.0);
@@ -49,24 +50,59 @@ TEST_F(StereoCalibrationFile, GivesFocalLengthPrincipalPointAndBaselineOfP1AndP2
 TEST_F(StereoCalibrationFile, TakesTheUnitOfItsBoard) {
   good_.set("P2", CalibrationText::projection("-5000.")).set("T", matrix_text(3, 1, {"-100.", "0.", "0."}));
   EXPECT_THAT(error_of(good_), AllOf(HasSubstr("P2"), HasSubstr("100 m"), HasSubstr("--metres-per-unit 0.001")));
-  CalibrationLimits millimetres;
+  CalibrationOptions millimetres;
   millimetres.metres_per_unit = 0.001;
-  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.text()), millimetres);
-  EXPECT_DOUBLE_EQ(rectified_camera(calibration, 0.001).baseline, 0.1);
+  const auto calibration = load_stereo_calibration({folder_.write("stereo.yml", good_.text())}, millimetres);
+  EXPECT_DOUBLE_EQ(rectified_camera(calibration).baseline, 0.1);
 }
 
-TEST_F(StereoCalibrationFile, NeedsItsHeaderAndTheErrorNamesTheFix) {
-  EXPECT_THAT(error_of(good_.body()), AllOf(HasSubstr("stereo.yml"), HasSubstr("header"), HasSubstr("%YAML:1.0")));
+TEST_F(StereoCalibrationFile, MayCountInSquaresOfItsBoard) {
+  good_.set("P2", CalibrationText::projection("-200.")).set("T", matrix_text(3, 1, {"-4.", "0.", "0."}));
+  EXPECT_THAT(error_of(good_), AllOf(HasSubstr("4 m"), HasSubstr("--board-square EDGE, in m")));
+  CalibrationOptions squares;
+  squares.board_square = 0.025;
+  const auto calibration = load_stereo_calibration({folder_.write("stereo.yml", good_.text())}, squares);
+  EXPECT_DOUBLE_EQ(rectified_camera(calibration).baseline, 0.1);
+  EXPECT_DOUBLE_EQ(cv::norm(calibration.relative->T), 0.1);
 }
 
-TEST_F(StereoCalibrationFile, MayHaveNoTypingErrorsInItsSyntax) {
-  EXPECT_THAT(error_of(std::string("%YAML:1.0\n---\nK1: [ 1, 2\n")), HasSubstr("not well-formed"));
+TEST_F(StereoCalibrationFile, ThatStatesItsSquareNeedsItsTrueEdgeOnly) {
+  good_.set("P2", CalibrationText::projection("-5000.")).set("T", matrix_text(3, 1, {"-100.", "0.", "0."}));
+  CalibrationOptions squares;
+  squares.board_square = 0.030;  // stated in mm, and a little too small
+  const auto calibration =
+      load_stereo_calibration({folder_.write("stereo.yml", good_.set("square_size", "25.").text())}, squares);
+  EXPECT_DOUBLE_EQ(rectified_camera(calibration).baseline, 0.12);
+  EXPECT_THAT(error_of(good_.set("square_size", "0"), squares), HasSubstr("square_size"));
+}
+
+TEST_F(StereoCalibrationFile, InMillimetresIsNotTakenForOneInSquares) {
+  good_.set("P2", CalibrationText::projection("-5000.")).set("T", matrix_text(3, 1, {"-100.", "0.", "0."}));
+  CalibrationOptions squares;
+  squares.board_square = 0.025;
+  EXPECT_THAT(error_of(good_, squares), AllOf(HasSubstr("100 squares between the cameras"), HasSubstr("up to 25")));
+}
+
+TEST_F(StereoCalibrationFile, NeedsNoHeader) {
+  EXPECT_EQ(error_of(good_.body()), "accepted");
+  EXPECT_EQ(error_of("\xEF\xBB\xBF" + good_.text()), "accepted") << "a mark that Windows' editors set";
+}
+
+TEST_F(StereoCalibrationFile, WithATypingErrorInItsSyntaxIsRefusedWithTheLine) {
+  EXPECT_THAT(error_of(std::string("%YAML:1.0\n---\nrms: 0.2\nK1: ]\nK2: 5\n")),
+              AllOf(HasSubstr("stereo.yml: line 4: "), HasSubstr("allowed: well-formed YAML")));
+  EXPECT_THAT(error_of(std::string("<?xml version=\"1.0\"?>\n<opencv_storage>\n<rms>1</xms>\n</opencv_storage>\n")),
+              AllOf(HasSubstr("stereo.yml: line 3: "), HasSubstr("allowed: well-formed XML")));
   EXPECT_THAT(error_of(std::string("%YAML:1.0\n---\n")), HasSubstr("has no keys"));
   EXPECT_THAT(error_of(std::string()), HasSubstr("empty"));
 }
 
+TEST_F(StereoCalibrationFile, WithAKeyTwiceIsRefusedWithBothLines) {
+  EXPECT_THAT(error_of("rms: 0.2\n" + good_.body()), HasSubstr("key 'rms' stands twice, on lines 1 and "));
+}
+
 TEST_F(StereoCalibrationFile, MustBeThere) {
-  EXPECT_THROW(load_stereo_calibration(folder_.file("absent.yml"), {}), ConfigurationError);
+  EXPECT_THROW(load_stereo_calibration({folder_.file("absent.yml")}, {}), ConfigurationError);
 }
 
 TEST_F(StereoCalibrationFile, NeedsEveryKey) {
@@ -98,6 +134,13 @@ TEST_F(StereoCalibrationFile, MayHaveNoMatrixOfAnotherShapeOrKind) {
   EXPECT_THAT(error_of(CalibrationText().set("K1", matrix_text(-3, 3, {"1."}))), HasSubstr("K1"));
 }
 
+TEST_F(StereoCalibrationFile, MayHaveNoMatrixOfWhichAPartIsMissing) {
+  for (const char* K1 : {"{cols: 1, data: [1, 2, 3]}", "{rows: 3, data: [1, 2, 3]}", "{rows: 3, cols: 3}", "{a: 1}",
+                         "{rows: [], cols: 1, data: [1]}", "{rows: 1, cols: 1, data: 5}", "[[1, 2], 3]"}) {
+    EXPECT_THAT(error_of(CalibrationText().set("K1", K1)), HasSubstr("'K1' is ")) << K1;
+  }
+}
+
 TEST_F(StereoCalibrationFile, MayHaveNoNumberThatIsNotFinite) {
   EXPECT_THAT(error_of(CalibrationText().set("D1", matrix_text(1, 4, {".NaN", "0.", "0.", "0."}))),
               AllOf(HasSubstr("D1"), HasSubstr("not finite")));
@@ -118,12 +161,12 @@ TEST_F(StereoCalibrationFile, NeedsAPossibleImageSize) {
 
 TEST_F(StereoCalibrationFile, MayStateTheImageSizeAsAPair) {
   good_.remove("image_width").remove("image_height").set("image_size", "[ 64, 48 ]");
-  EXPECT_EQ(load_stereo_calibration(folder_.write("stereo.yml", good_.text()), {}).image_size, cv::Size(64, 48));
+  EXPECT_EQ(load_stereo_calibration({folder_.write("stereo.yml", good_.text())}, {}).image_size, cv::Size(64, 48));
   EXPECT_THAT(error_of(good_.set("image_size", "[ 64 ]")), HasSubstr("image_size"));
 }
 
 TEST_F(StereoCalibrationFile, IsRefusedAboveHalfAPixelOfErrorUnlessToldOtherwise) {
-  CalibrationLimits any;
+  CalibrationOptions any;
   any.accept_any_error = true;
   for (const std::string key : {"rms", "epipolar_error"}) {
     const CalibrationText bad = CalibrationText().set(key, "0.51");
@@ -151,8 +194,10 @@ TEST_F(StereoCalibrationFile, MayNotMixCalibrations) {
 
 TEST_F(StereoCalibrationFile, WithoutRectificationIsRectifiedByRAndT) {
   good_.remove("R1").remove("R2").remove("P1").remove("P2");
-  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.text()), {});
-  const auto camera = rectified_camera(calibration, 1.0);
+  const auto raw = load_stereo_calibration({folder_.write("stereo.yml", good_.text())}, {});
+  EXPECT_FALSE(raw.rectified);
+  const auto calibration = with_rectification(raw, *raw.image_size);
+  const auto camera = rectified_camera(calibration);
   EXPECT_NEAR(camera.baseline, 0.1, 1e-12);
   EXPECT_EQ(camera.cx_left, camera.cx_right);  // zero disparity at infinity
   EXPECT_NEAR(camera.fx, 50.0, 2.0);
@@ -167,9 +212,9 @@ TEST_F(StereoCalibrationFile, MayBeThePairThatTheSampleOfOpenCvWrites) {
   intrinsics.set("M1", K).set("M2", K);
   const std::string first = folder_.write("intrinsics.yml", intrinsics.text());
   const std::string second = folder_.write("extrinsics.yml", good_.text());
-  const auto calibration = load_stereo_calibration(first, second, {});
+  const auto calibration = load_stereo_calibration({first, second}, {});
   EXPECT_FALSE(calibration.image_size);
-  EXPECT_DOUBLE_EQ(rectified_camera(calibration, 1.0).baseline, 0.1);
+  EXPECT_DOUBLE_EQ(rectified_camera(calibration).baseline, 0.1);
 }
 
 TEST_F(StereoCalibrationFile, MayBeXml) {
@@ -180,11 +225,11 @@ TEST_F(StereoCalibrationFile, MayBeXml) {
     for (const std::string key : {"K1", "D1", "K2", "D2", "R1", "R2", "P1", "P2"}) xml << key << yaml[key].mat();
     xml << "image_size" << cv::Size(64, 48) << "rms" << 0.2;
   }
-  EXPECT_DOUBLE_EQ(rectified_camera(load_stereo_calibration(path, {}), 1.0).baseline, 0.1);
+  EXPECT_DOUBLE_EQ(rectified_camera(load_stereo_calibration({path}, {})).baseline, 0.1);
 }
 
 TEST_F(StereoCalibrationFile, OfIdealCamerasLeavesPicturesAsTheyAre) {
-  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.text()), {});
+  const auto calibration = load_stereo_calibration({folder_.write("stereo.yml", good_.text())}, {});
   const Rectifier rectifier(calibration, *calibration.image_size);
   cv::Mat raw(48, 64, CV_8UC3);
   cv::randu(raw, 0, 256);
@@ -196,15 +241,23 @@ TEST_F(StereoCalibrationFile, OfIdealCamerasLeavesPicturesAsTheyAre) {
   EXPECT_THROW(rectifier.rectify(raw.rowRange(0, 20), raw, left, right), std::invalid_argument);
 }
 
+TEST_F(StereoCalibrationFile, WithoutAnImageSizeIsForThePicturesAndSaysSo) {
+  good_.remove("image_width").remove("image_height");
+  const auto calibration = load_stereo_calibration({folder_.write("stereo.yml", good_.text())}, {});
+  EXPECT_FALSE(calibration.image_size);
+  EXPECT_THAT(calibration.warnings, testing::ElementsAre(HasSubstr("states no image size")));
+  EXPECT_NO_THROW(Rectifier(calibration, cv::Size(64, 48)));
+}
+
 TEST_F(StereoCalibrationFile, OfAnotherImageSizeIsRefused) {
-  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.text()), {});
+  const auto calibration = load_stereo_calibration({folder_.write("stereo.yml", good_.text())}, {});
   EXPECT_NO_THROW(Rectifier(calibration, cv::Size(64, 48)));
   EXPECT_THROW(Rectifier(calibration, cv::Size(640, 480)), ConfigurationError);
 }
 
 TEST_F(StereoCalibrationFile, ThatTurnsTheViewOutOfThePictureIsRefused) {
   const std::string turn = matrix_text(3, 3, {"0.5", "0.", "-0.8660254", "0.", "1.", "0.", "0.8660254", "0.", "0.5"});
-  const auto calibration = load_stereo_calibration(folder_.write("stereo.yml", good_.set("R1", turn).text()), {});
+  const auto calibration = load_stereo_calibration({folder_.write("stereo.yml", good_.set("R1", turn).text())}, {});
   EXPECT_THROW(Rectifier(calibration, cv::Size(64, 48)), ConfigurationError);
 }
 

@@ -184,10 +184,42 @@ TEST_F(StereoCameraCommand, RefusesALogWithoutEnd) {
   expect_refused(run({"--fx", "50", "--baseline", "0.1", "--loop"}), {"--loop", "--count"});
 }
 
-TEST_F(StereoCameraCommand, RefusesACalibrationWithoutHeader) {
+TEST_F(StereoCameraCommand, SaysInOneLineWhichCamerasItHas) {
   sequence(1);
-  const std::string path = folder_.write("stereo.yml", CalibrationText().body());
-  expect_refused(run({"--calibration", path}), {"stereo.yml", "%YAML:1.0"});
+  EXPECT_THAT(run(any_size_).output,
+              HasSubstr("cameras: f 50.0 px, baseline 0.1000 m; pictures are taken as rectified"));
+  const std::string path = folder_.write("stereo.yml", CalibrationText().text());
+  EXPECT_THAT(run({"--calibration", path}).output,
+              HasSubstr("cameras: f 50.0 px, baseline 0.1000 m; 100% of the rectified pictures show something, 100% of "
+                        "the cameras' pictures are left"));
+}
+
+TEST_F(StereoCameraCommand, RefusesABaselineOf65MetresWhereverItIsGiven) {
+  sequence(1);
+  expect_refused(run({"--fx", "50", "--baseline", "65"}), {"--baseline is 65 m", "0.001 to 2 m"});
+  const std::string T = matrix_text(3, 1, {"-65.", "0.", "0."});
+  const CalibrationText rectified = CalibrationText().set("T", T).set("P2", CalibrationText::projection("-3250."));
+  CalibrationText raw = rectified;
+  for (const char* key : {"R1", "R2", "P1", "P2"}) raw.remove(key);
+  for (const CalibrationText& text : {rectified, raw}) {
+    expect_refused(run({"--calibration", folder_.write("stereo.yml", text.text())}),
+                   {"stereo.yml", "baseline of 65 m", "--metres-per-unit 0.001 for mm", "--board-square"});
+  }
+}
+
+TEST_F(StereoCameraCommand, AsksACalibrationBeforePicturesAreThere) {
+  const std::string turn = matrix_text(3, 3, {"0.5", "0.", "-0.8660254", "0.", "1.", "0.", "0.8660254", "0.", "0.5"});
+  const std::string path = folder_.write("stereo.yml", CalibrationText().set("R1", turn).text());
+  sequence(1);
+  const CommandResult result = run({"--calibration", path, "--check"});
+  EXPECT_EQ(result.exit_code, 2) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("are they of one calibration"));
+}
+
+TEST_F(StereoCameraCommand, RefusesACalibrationWithAnErrorInItsSyntax) {
+  sequence(1);
+  const std::string path = folder_.write("stereo.yml", "%YAML:1.0\n---\nK1: [ 1, 2\nK2: ]\n");
+  expect_refused(run({"--calibration", path}), {"stereo.yml: line "});
 }
 
 TEST_F(StereoCameraCommand, RefusesACalibrationWithASingularMatrix) {
@@ -212,6 +244,34 @@ TEST_F(StereoCameraCommand, PublishesTheCamerasOfTheCalibration) {
   ASSERT_EQ(frames.size(), 1U);
   EXPECT_DOUBLE_EQ(frames[0].calibration.fx, 50.0);
   EXPECT_DOUBLE_EQ(frames[0].calibration.baseline, 0.1);
+}
+
+// What a file of another tool should lead to.
+struct ForeignFile {
+  std::vector<std::string> arguments;
+  cv::Size pictures;
+  double f_px, f_tolerance_px, baseline_m;
+};
+
+TEST_F(StereoCameraCommand, PublishesTheCamerasOfOtherToolsCalibrations) {
+  const std::string data = MARKSERVO_SOURCE_DIR "/tests/data/";
+  const std::vector<ForeignFile> files{
+      {{data + "calibration/T-as-list.yml"}, {640, 480}, 500.0, 0.5, 0.06},
+      {{data + "calibration/rational-no-rectification.yml"}, {1280, 720}, 704.0, 15.0, 0.12},
+      {{data + "calibration/fisheye.yml", "--lens", "fisheye"}, {640, 480}, 216.55, 0.01, 0.064},
+      {{data + "ros/left.yaml", data + "ros/right.yaml"}, {640, 480}, 600.0, 1e-9, 0.06}};
+  for (const ForeignFile& file : files) {
+    const std::string left = picture("left.png", file.pictures, 1);
+    const std::string right = picture("right.png", file.pictures, 2);
+    std::vector<std::string> arguments{"--left", left, "--right", right, "--calibration"};
+    arguments.insert(arguments.end(), file.arguments.begin(), file.arguments.end());
+    const CommandResult result = run_plain(arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+    const auto frames = read_frames(log());
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_NEAR(frames[0].calibration.fx, file.f_px, file.f_tolerance_px) << file.arguments.front();
+    EXPECT_NEAR(frames[0].calibration.baseline, file.baseline_m, 1e-9) << file.arguments.front();
+  }
 }
 
 TEST_F(StereoCameraCommand, ReadsVideos) {
