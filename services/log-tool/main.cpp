@@ -10,6 +10,7 @@
 #include "common/bus/bus_url.hpp"
 #include "common/bus/command_line.hpp"
 #include "common/bus/exit_code.hpp"
+#include "common/bus/named_bus.hpp"
 #include "common/bus/options.hpp"
 #include "common/reflection/type_catalog.hpp"
 #include "common/reflection/value_text.hpp"
@@ -241,13 +242,11 @@ class Commands {
     const Add add = command("play", "Plays to a bus what moves no robot", play_log);
     add.option("LOG", options_.input).required();
     const auto no_live_bus = [](const std::string& url) {
-      const bool live = markservo::bus::is_udpm(url) || url.rfind("tcpq://", 0) == 0;
-      return live ? std::string() : url + ": allowed are udpm:// and tcpq://, a bus that others are on";
+      const bool live = markservo::bus::is_udpm(url) || markservo::bus::is_tcpq(url);
+      if (live) return std::string();
+      return url + markservo::bus::told_by(url) + ": allowed are udpm:// and tcpq://, a bus that others are on";
     };
-    add.option("--lcm-url", options_.play.url, "The bus")
-        .environment("MARKSERVO_LCM_URL")
-        .check(no_live_bus, "udpm:// or tcpq://")
-        .show_default();
+    markservo::bus::add_lcm_url(add, options_.play.url, "The bus").check(no_live_bus, "udpm:// or tcpq://");
     add.option("--speed", options_.play.speed, "Times the recorded pace").within(1e-6, 1e6).show_default();
     add.option("--channel", options_.play.channels,
                "These channels only (regular expression), also such as the table of channels does not have");
@@ -275,7 +274,8 @@ int main(int argc, char** argv) {
   try {
     return commands.run();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", typed.name_or("log-tool").c_str(), error.what());
+    std::fprintf(stderr, "%s: %s%s\n", typed.name_or("log-tool").c_str(), error.what(),
+                 markservo::bus::told_by(error.what()).c_str());
     if (dynamic_cast<const markservo::bus::BusUnavailable*>(&error) != nullptr) return kNoBus;
     return dynamic_cast<const BusInUse*>(&error) != nullptr ? kBusInUse : kBadInput;
   }
