@@ -182,7 +182,7 @@ check_devices() {
   local device named cameras own_config=$config_dir calibration=stereo.yml copy=''
   mapfile -t named < <(named_devices)
   for device in "${named[@]}" "${devices[@]}"; do check_device "$device"; done
-  if [[ $profile == robot ]] && ! grep -qsE '^[[:space:]]*(left-device|device|left|input)[[:space:]]*=' "$config_dir/stereo-camera.conf"; then
+  if [[ $profile == robot ]] && ! names_a_camera; then
     cameras=$(find /dev -maxdepth 1 -name 'video*' | sort | xargs)
     if [[ $installed == yes ]]; then
       # What the package brought is not to be changed: a copy of it is.
