@@ -6,10 +6,45 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <vector>
 
 #include "common/bus/bus_url.hpp"
 
 namespace markservo::bus {
+namespace {
+
+constexpr const char* kBufferKey = "recv_buf_size";
+constexpr std::int64_t kBufferToAsk = 4'194'304;  // bytes, as the default URL does
+
+// The value of a URL's parameter; empty where it has none.
+std::string parameter_of(const std::string& url, const std::string& name) {
+  for (std::size_t at = url.find('?'); at != std::string::npos; at = url.find('&', at + 1)) {
+    const std::size_t begin = at + 1 + name.size() + 1;
+    if (url.compare(at + 1, name.size() + 1, name + "=") == 0) return url.substr(begin, url.find('&', begin) - begin);
+  }
+  return {};
+}
+
+// The URL with that parameter, in place of one of its name.
+std::string with_parameter(const std::string& url, const std::string& name, const std::string& value) {
+  std::string result = url.substr(0, url.find('?'));
+  char separator = '?';
+  for (std::size_t at = url.find('?'); at != std::string::npos; at = url.find('&', at + 1)) {
+    const std::string each = url.substr(at + 1, url.find('&', at + 1) - (at + 1));
+    if (each.empty() || each.compare(0, name.size() + 1, name + "=") == 0) continue;
+    result += separator + each;
+    separator = '&';
+  }
+  return result + separator + name + "=" + value;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", and ") + part;
+  return text;
+}
+
+}  // namespace
 
 std::optional<std::int64_t> granted_receive_buffer(std::int64_t asked) {
   const int socket_fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -24,19 +59,39 @@ std::optional<std::int64_t> granted_receive_buffer(std::int64_t asked) {
   return granted / 2;  // the kernel doubles what it grants, for its own bookkeeping
 }
 
-bool raw_frames_fit(const std::string& url) {
-  if (!is_udpm(url)) return true;
-  const std::string key = "recv_buf_size=";
-  const std::size_t at = url.find(key);
-  if (at == std::string::npos) return false;
-  const std::int64_t asked = std::strtoll(url.c_str() + at + key.size(), nullptr, 10);
-  if (asked < kReceiveBufferForRawFrames) return false;
-  const auto granted = granted_receive_buffer(asked);
-  return granted && *granted >= kReceiveBufferForRawFrames;
+std::string raw_frames_obstacle(const std::string& url, std::optional<std::int64_t> grantable) {
+  if (!is_udpm(url)) return {};
+  const std::string given = parameter_of(url, kBufferKey);
+  const std::int64_t asked = std::strtoll(given.c_str(), nullptr, 10);
+  std::vector<std::string> faults;
+  std::vector<std::string> cures;
+  if (asked < kReceiveBufferForRawFrames) {
+    faults.push_back(given.empty() ? "the bus's address asks for no receive buffer"
+                                   : "the bus's address asks for a receive buffer of " + given + " bytes");
+    cures.push_back("use --lcm-url '" + with_parameter(url, kBufferKey, std::to_string(kBufferToAsk)) + "'");
+  }
+  if (!grantable) {
+    faults.emplace_back("no socket is to be had to ask the kernel for its receive buffer");
+  } else if (*grantable < kReceiveBufferForRawFrames) {
+    faults.push_back("the kernel grants receive buffers of at most " + std::to_string(*grantable) +
+                     " bytes (net.core.rmem_max)");
+    cures.push_back("run: sysctl -w net.core.rmem_max=" + std::to_string(kBufferToAsk));
+  }
+  if (faults.empty()) return {};
+  const std::string need = "; raw frames need " + std::to_string(kReceiveBufferForRawFrames);
+  return joined(faults) + need + (cures.empty() ? "" : ": " + joined(cures));
 }
 
-std::string raw_frames_advice() {
-  return "net.core.rmem_max is below 2 MB: frames go as JPEG; for raw frames run: sysctl -w net.core.rmem_max=4194304";
+std::string raw_frames_obstacle(const std::string& url) {
+  return is_udpm(url) ? raw_frames_obstacle(url, granted_receive_buffer(kBufferToAsk)) : std::string();
+}
+
+bool raw_frames_fit(const std::string& url) {
+  return raw_frames_obstacle(url).empty();
+}
+
+std::string jpeg_notice(const std::string& obstacle) {
+  return "frames go as JPEG: " + obstacle;
 }
 
 std::string multicast_route_advice() {

@@ -11,7 +11,9 @@
 
 #include "common/bus/command_line.hpp"
 #include "common/bus/log_format.hpp"
+#include "common/bus/named_bus.hpp"
 #include "common/bus/session.hpp"
+#include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/text/text.hpp"
 #include "common/text/typed_command.hpp"
@@ -43,7 +45,7 @@ void add_common_options(CommandLine& command_line, CommonOptions& options) {
       .environment("MARKSERVO_ROBOT_FILE")
       .show_default();
   add.option("--robot", options.robot, "Prefix of all channels, for several robots on one bus");
-  add.option("--lcm-url", options.lcm_url, "LCM bus to read and write").environment("MARKSERVO_LCM_URL").show_default();
+  add_lcm_url(add, options.lcm_url, "LCM bus to read and write");
   add.option("--lcm-in", options.lcm_in, "LCM bus to read, if another: file://LOG?speed=0 replays a log");
   add.option("--lcm-out", options.lcm_out, "LCM bus to write, if another: file://LOG?mode=w writes a log");
   add.option("--log-level", options.log_level, "Least severity that is logged to the standard error")
@@ -71,6 +73,13 @@ int list_channels(const ServiceInfo& info, Service& service) {
   return kExitStopped;
 }
 
+// A robot on another bus than usual, because of a variable that was set for other programs, is no secret.
+void tell_of_lcms_variable(const BusUrls& urls) {
+  const std::string& url = told_by(urls.in).empty() ? urls.out : urls.in;
+  const std::string by = told_by(url);
+  if (!by.empty()) logging::info("on {}{}", url, by);
+}
+
 int serve(const ServiceInfo& info, Service& service, const CommandLine& command_line, const CommonOptions& options) {
   if (options.print_config) {
     std::cout << command_line.explained_settings();
@@ -95,6 +104,7 @@ int serve(const ServiceInfo& info, Service& service, const CommandLine& command_
   parameters.config_hash = config_hash(command_line, options.robot_file);
   parameters.waits_for_network = service.waits_for_network();
   Bus bus(parameters);
+  tell_of_lcms_variable(parameters.urls);
   service.start(bus);
   // One that waits for something has said so.
   if (bus.state() == kStarting) bus.set_state("ready");
@@ -124,7 +134,7 @@ int run_service(const ServiceInfo& info, Service& service, int argc, char** argv
   set_up_log(info.name, options.log_level);
   const std::string name = text::TypedCommand(argc > 0 ? argv[0] : "").name_or(info.name);
   const auto complain = [&name](const std::exception& error, int code) {
-    std::cerr << name << ": " << text::printable(error.what()) << "\n";
+    std::cerr << name << ": " << text::printable(error.what() + told_by(error.what())) << "\n";
     return code;
   };
   try {

@@ -48,8 +48,8 @@ class Service {
 };
 
 // Common options: --config, --print-config, --check, --list-channels, --robot-file (environment MARKSERVO_ROBOT_FILE),
-// --robot, --lcm-url (environment MARKSERVO_LCM_URL), --lcm-in, --lcm-out, --log-level. Returns the exit code: 0
-// stopped, 1 failed, 2 bad configuration, 3 bus unavailable.
+// --robot, --lcm-url (environment MARKSERVO_LCM_URL, else LCM_DEFAULT_URL), --lcm-in, --lcm-out, --log-level. Returns
+// the exit code: 0 stopped, 1 failed, 2 bad configuration, 3 bus unavailable.
 int run_service(const ServiceInfo& info, Service& service, int argc, char** argv);
 
 }  // namespace markservo::bus

@@ -7,6 +7,7 @@
 #include "common/bus/bus_url.hpp"
 #include "common/bus/command_line.hpp"
 #include "common/bus/exit_code.hpp"
+#include "common/bus/named_bus.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/text/text.hpp"
 #include "common/text/typed_command.hpp"
@@ -15,20 +16,16 @@ namespace markservo::bus {
 
 void add_live_bus_option(CLI::App& app, std::string& url) {
   const auto objection = [](const std::string& given) {
-    return is_udpm(given) ? std::string() : given + ": allowed is udpm://, a bus that others write on";
+    return is_udpm(given) ? std::string() : given + told_by(given) + ": allowed is udpm://, a bus that others write on";
   };
-  Options(app)
-      .option("--lcm-url", url, "The bus")
-      .environment("MARKSERVO_LCM_URL")
-      .check(objection, "udpm://")
-      .show_default();
+  add_lcm_url(Options(app), url, "The bus").check(objection, "udpm://");
 }
 
 int run_tool(const ToolInfo& info, int argc, char** argv, const std::function<void(CLI::App& app)>& add_options,
              const std::function<int()>& run) {
   const std::string name = text::TypedCommand(argc > 0 ? argv[0] : "").name_or(info.name);
   const auto complain = [&name](const std::exception& error, int code) {
-    std::cerr << name << ": " << text::printable(error.what()) << std::endl;
+    std::cerr << name << ": " << text::printable(error.what() + told_by(error.what())) << std::endl;
     return code;
   };
   CommandLine command_line(info.name, info.description);

@@ -14,7 +14,7 @@ struct ToolInfo {
   std::string description;  // one line for --help
 };
 
-// Adds --lcm-url (environment MARKSERVO_LCM_URL) for a bus that others are on, udpm:// only. `url` is the default.
+// Adds --lcm-url (named_bus.hpp) for a bus that others are on, udpm:// only. `url` is the default.
 void add_live_bus_option(CLI::App& app, std::string& url);
 
 // Parses the command line by the options that `add_options` adds, and runs `run`, which returns the exit code. One line

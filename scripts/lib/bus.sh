@@ -13,9 +13,21 @@ ask_defaults() {
       raw-frames-need) raw_frames_need=$value ;;
       clock-tolerance-s) clock_tolerance_s=$value ;;
     esac
-  done < <(MARKSERVO_LCM_URL='' "$1/bus-census" --defaults 2>/dev/null) # an address that it refuses is no matter here
+  done < <(MARKSERVO_LCM_URL='' LCM_DEFAULT_URL='' "$1/bus-census" --defaults 2>/dev/null) # what it refuses is no matter here
 }
 ask_defaults "${programs-$repository/build/release/bin}"
+
+# The bus that the environment names, as programs and services take it: ours counts before the variable that all of LCM's
+# own programs obey. Empty where neither names one.
+named_lcm_url=${MARKSERVO_LCM_URL:-${LCM_DEFAULT_URL-}}
+
+# told_by URL: " (the bus that LCM_DEFAULT_URL names)" where it is LCM's variable that names it: who set it for other
+# programs may not think of ours.
+told_by() {
+  if [[ -n ${LCM_DEFAULT_URL-} && -z ${MARKSERVO_LCM_URL-} && $1 == "$LCM_DEFAULT_URL" ]]; then
+    printf ' (the bus that LCM_DEFAULT_URL names)'
+  fi
+}
 
 # is_multicast URL: whether others can hear what is said there; without an address it is the programs' own default.
 is_multicast() { [[ ${1:-udpm://} == udpm://* ]]; }

@@ -14,15 +14,33 @@ url_with() {
   if [[ $plain == *\?* ]]; then printf '%s&%s=%s\n' "$plain" "$1" "$2"; else printf '%s?%s=%s\n' "$plain" "$1" "$2"; fi
 }
 
+# bus_group: where the address leaves it out, as udpm:// and udpm://?ttl=1 do, LCM's own.
+bus_group() {
+  local group=${lcm_url#udpm://}
+  group=${group%%[:?]*}
+  printf '%s\n' "${group:-239.255.76.67}"
+}
+
+# check_names: the environment has two words for a bus; LCM's own programs know one of them.
+check_names() {
+  local ours=${MARKSERVO_LCM_URL-} of_lcm=${LCM_DEFAULT_URL-}
+  if [[ -n $ours && -n $of_lcm && $lcm_url == "$ours" && ${ours%%\?*} != "${of_lcm%%\?*}" ]]; then
+    wrong bus "MARKSERVO_LCM_URL and LCM_DEFAULT_URL name two: LCM's own programs, lcm-logger for instance, are on $of_lcm" \
+      "export LCM_DEFAULT_URL=\$MARKSERVO_LCM_URL"
+  fi
+}
+
 check_address() {
-  local ttl
+  local ttl variable=MARKSERVO_LCM_URL
+  check_names
   if [[ -z $lcm_url ]]; then
     wrong bus "nobody can tell which bus the services take by default before they are built" "$get_programs"
     return
   fi
-  if ! [[ $lcm_url =~ ^udpm://[0-9.]+:[0-9]+([?].*)?$ ]]; then
-    wrong bus "the address $lcm_url is none that others can be on; allowed: udpm://GROUP:PORT?..." \
-      "unset MARKSERVO_LCM_URL, or --lcm-url '$default_lcm_url'"
+  if ! [[ $lcm_url =~ ^udpm://([0-9.]+(:[0-9]+)?)?([?].*)?$ ]]; then
+    if [[ -n $(told_by "$lcm_url") ]]; then variable=LCM_DEFAULT_URL; fi
+    wrong bus "the address $lcm_url$(told_by "$lcm_url") is none that others can be on; allowed: udpm://GROUP:PORT?..." \
+      "unset $variable, or --lcm-url '$default_lcm_url'"
     return
   fi
   ttl=$(url_part ttl)
@@ -35,14 +53,14 @@ check_address() {
   elif ((10#$ttl == 0)) && [[ $leaves_host == yes ]]; then
     wrong bus "ttl=0: the bus does not leave this host, other hosts hear nothing" "use --lcm-url '$(url_with ttl 1)'"
   else
-    well bus "ttl=$ttl: $(if ((10#$ttl > 0)); then echo "the bus leaves this host, as asked"; else echo "the bus stays on this host"; fi)"
+    well bus "ttl=$ttl: $(if ((10#$ttl > 0)); then echo "the bus leaves this host, as asked"; else echo "the bus stays on this host"; fi)$(told_by "$lcm_url")"
   fi
 }
 
 check_route() {
   local group route device mend='ip link set lo multicast on; ip route add 224.0.0.0/4 dev lo'
   if [[ -z $lcm_url ]]; then return; fi
-  group=$(sed -E 's,^udpm://([0-9.]+):.*,\1,' <<<"$lcm_url")
+  group=$(bus_group)
   if ! command -v ip >/dev/null; then
     wrong bus "the program ip is not there to ask for routes" "$(get_packages iproute2)"
   elif ! route=$(ip -4 route get "$group" 2>&1); then
@@ -164,7 +182,7 @@ check_devices() {
   local device named cameras own_config=$config_dir calibration=stereo.yml copy=''
   mapfile -t named < <(named_devices)
   for device in "${named[@]}" "${devices[@]}"; do check_device "$device"; done
-  if [[ $profile == robot ]] && ! grep -qsE '^[[:space:]]*(left-device|device|left|input)[[:space:]]*=' "$config_dir/stereo-camera.conf"; then
+  if [[ $profile == robot ]] && ! names_a_camera; then
     cameras=$(find /dev -maxdepth 1 -name 'video*' | sort | xargs)
     if [[ $installed == yes ]]; then
       # What the package brought is not to be changed: a copy of it is.

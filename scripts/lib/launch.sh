@@ -25,7 +25,7 @@ keep_options() {
 stack_options() {
   local -n __options=$1
   __options=([build_dir]=$default_build_dir [config_dir]=$default_config_dir
-    [robot_file]=$default_config_dir/robot.yaml [robot]='' [lcm_url]=${MARKSERVO_LCM_URL-} [profile]=sim)
+    [robot_file]=$default_config_dir/robot.yaml [robot]='' [lcm_url]=$named_lcm_url [profile]=sim)
   load_options "$runtime_dir/options/stack" "$1"
 }
 

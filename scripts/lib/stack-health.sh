@@ -25,6 +25,7 @@ await_ready() {
   local action=$1 settle=$patience command=() service process ready heard text failed=no
   shift
   note_bus
+  if [[ $action == start && -n $(told_by "$bus_url") ]]; then say "on $bus_url$(told_by "$bus_url")"; fi
   # A part of the stack cannot help what the others do not send.
   if [[ $may_wait == yes ]]; then
     settle=0

@@ -1,6 +1,7 @@
 #include "services/log-tool/log_tool_options.hpp"
 
 #include "common/bus/bus_url.hpp"
+#include "common/bus/named_bus.hpp"
 #include "common/bus/options.hpp"
 
 namespace markservo::log_tool {
@@ -106,12 +107,10 @@ void Commands::add_player(const Actions& actions) {
   add.option("LOG", options_.input).required();
   const auto no_live_bus = [](const std::string& url) {
     const bool live = bus::is_udpm(url) || bus::is_tcpq(url);
-    return live ? std::string() : url + ": allowed are udpm:// and tcpq://, a bus that others are on";
+    if (live) return std::string();
+    return url + bus::told_by(url) + ": allowed are udpm:// and tcpq://, a bus that others are on";
   };
-  add.option("--lcm-url", options_.play.url, "The bus")
-      .environment("MARKSERVO_LCM_URL")
-      .check(no_live_bus, "udpm:// or tcpq://")
-      .show_default();
+  bus::add_lcm_url(add, options_.play.url, "The bus").check(no_live_bus, "udpm:// or tcpq://");
   add.option("--speed", options_.play.speed, "Times the recorded pace").within(1e-6, 1e6).show_default();
   add.option(
       "--channel", options_.play.channels,

@@ -9,6 +9,7 @@
 #include "common/bus/bus_unavailable.hpp"
 #include "common/bus/command_line.hpp"
 #include "common/bus/exit_code.hpp"
+#include "common/bus/named_bus.hpp"
 #include "common/reflection/type_files.hpp"
 #include "common/reflection/value_text.hpp"
 #include "common/text/typed_command.hpp"
@@ -189,7 +190,8 @@ int main(int argc, char** argv) {
   try {
     return commands.run();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", typed.name_or("log-tool").c_str(), error.what());
+    std::fprintf(stderr, "%s: %s%s\n", typed.name_or("log-tool").c_str(), error.what(),
+                 markservo::bus::told_by(error.what()).c_str());
     if (dynamic_cast<const markservo::bus::BusUnavailable*>(&error) != nullptr) return kNoBus;
     return dynamic_cast<const BusInUse*>(&error) != nullptr ? kBusInUse : kBadInput;
   }

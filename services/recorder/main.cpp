@@ -2,11 +2,11 @@
 //   in: all of the bus     out: log.lcm, manifest.json, a line of what happens
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "common/bus/bus_url.hpp"
+#include "common/bus/named_bus.hpp"
 #include "common/text/typed_command.hpp"
 #include "services/recorder/finish_node.hpp"
 #include "services/recorder/logger/keep_logger_node.hpp"
@@ -41,8 +41,8 @@ int run(const recorder::RecorderOptions& options) {
 }
 
 std::string default_url() {
-  const char* url = std::getenv("MARKSERVO_LCM_URL");
-  return url != nullptr && *url != '\0' ? url : markservo::bus::kDefaultUrl;
+  const auto named = markservo::bus::named_bus();
+  return named ? named->url : markservo::bus::kDefaultUrl;
 }
 
 }  // namespace
@@ -59,10 +59,10 @@ int main(int argc, char** argv) {
     options.commands.log = typed.of("log");
     return run(options);
   } catch (const recorder::UsageError& error) {
-    recorder::warn(std::string(error.what()) + "; see " + typed.of("record") + " --help");
+    recorder::warn(error.what() + markservo::bus::told_by(error.what()) + "; see " + typed.of("record") + " --help");
     return error.code();
   } catch (const recorder::Refusal& error) {
-    if (*error.what() != '\0') recorder::warn(error.what());
+    if (*error.what() != '\0') recorder::warn(error.what() + markservo::bus::told_by(error.what()));
     return error.code();
   } catch (const std::exception& error) {
     recorder::warn(error.what());

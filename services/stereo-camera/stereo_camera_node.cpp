@@ -77,9 +77,9 @@ void StereoCameraNode::read_first_pair() {
 }
 
 void StereoCameraNode::choose_encoding(const bus::BusUrls& urls) {
-  const bool too_large = options_.encoding == "auto" && !bus::raw_frames_fit(urls.out);
-  if (too_large) logging::warn("{}", bus::raw_frames_advice());
-  if (options_.encoding == "jpeg" || too_large) {
+  const std::string obstacle = options_.encoding == "auto" ? bus::raw_frames_obstacle(urls.out) : std::string();
+  if (!obstacle.empty()) logging::warn("{}", bus::jpeg_notice(obstacle));
+  if (options_.encoding == "jpeg" || !obstacle.empty()) {
     frame_.encode_jpeg_pictures(options_.jpeg_quality);
   } else {
     frame_.encode_raw_pictures();

@@ -7,6 +7,7 @@
 #include "common/bus/bus_url.hpp"
 #include "common/bus/command_line.hpp"
 #include "common/bus/exit_code.hpp"
+#include "common/bus/named_bus.hpp"
 #include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "tests/experiments/rig.hpp"
@@ -30,7 +31,7 @@ int run_experiment(const std::string& description, int default_trials, int argc,
   add.option("--out", options.out, "Folder for the results").show_default();
   add.option("--robot-file", options.robot_file, "The robot's description").show_default();
   add.option("--scene", options.scene, "The simulated scene").show_default();
-  add.option("--lcm-url", options.lcm_url, "LCM bus").environment("MARKSERVO_LCM_URL").show_default();
+  bus::add_lcm_url(add, options.lcm_url, "LCM bus");
   if (add_options) add_options(command_line.app());
   if (const auto exit_code = command_line.parse(argc, argv)) return *exit_code;
   try {

@@ -72,8 +72,9 @@ void SimulatorNode::start(bus::Bus& bus) {
 int SimulatorNode::jpeg_quality(const bus::BusUrls& urls) const {
   if (options_.encoding == "raw") return 0;
   if (options_.encoding == "jpeg") return options_.jpeg_quality;
-  if (bus::raw_frames_fit(urls.out)) return 0;
-  logging::warn("{}", bus::raw_frames_advice());
+  const std::string obstacle = bus::raw_frames_obstacle(urls.out);
+  if (obstacle.empty()) return 0;
+  logging::warn("{}", bus::jpeg_notice(obstacle));
   return options_.jpeg_quality;
 }
 

@@ -145,11 +145,8 @@ int run(const Options& options) {
   }
   const Route chain_way = chain_route(options.lcm_url);
   const Route floor_way = floor_route(next_port(options.lcm_url));
-  if (!bus::raw_frames_fit(options.lcm_url)) {
-    std::cerr
-        << "latency-bench: net.core.rmem_max or recv_buf_size is below 2 MB: raw frames will be lost; run: sysctl "
-           "-w net.core.rmem_max=4194304\n";
-  }
+  const std::string obstacle = bus::raw_frames_obstacle(options.lcm_url);
+  if (!obstacle.empty()) std::cerr << "latency-bench: raw frames will be lost: " << obstacle << "\n";
   const robot::RobotDescription robot = robot::load_robot_description(options.robot_file);
   if (!robot.arm) throw ConfigurationError(options.robot_file + ": arm: missing; allowed: an arm");
   std::cerr << "latency-bench: recording frames\n";

@@ -28,5 +28,50 @@ TEST(NetworkCheck, RawFramesFitOnlyIfTheKernelGrantsTheBuffer) {
   EXPECT_EQ(raw_frames_fit("udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304"), granted);
 }
 
+// What a person does about it depends on it.
+class JpegIsChosen : public ::testing::Test {
+ protected:
+  static constexpr std::int64_t kEnough = 4'194'304;  // bytes
+  static constexpr std::int64_t kSmall = 212'992;     // as Debian grants by default
+};
+
+TEST_F(JpegIsChosen, NotWhereAddressAndKernelGiveEnough) {
+  EXPECT_EQ(raw_frames_obstacle("udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304", kEnough), "");
+  EXPECT_EQ(raw_frames_obstacle("udpm://?recv_buf_size=2000000", kEnough), "");
+  EXPECT_EQ(raw_frames_obstacle("memq://", kSmall), "");
+}
+
+TEST_F(JpegIsChosen, BecauseTheAddressAsksForNothing) {
+  EXPECT_EQ(raw_frames_obstacle("udpm://239.255.76.67:7667?ttl=1", kEnough),
+            "the bus's address asks for no receive buffer; raw frames need 2000000: use --lcm-url "
+            "'udpm://239.255.76.67:7667?ttl=1&recv_buf_size=4194304'");
+  EXPECT_NE(raw_frames_obstacle("udpm://239.255.76.67:7667", kEnough).find("7667?recv_buf_size=4194304'"),
+            std::string::npos);
+  // Another parameter whose name ends alike is none.
+  EXPECT_NE(raw_frames_obstacle("udpm://?xrecv_buf_size=4194304", kEnough).find("asks for no"), std::string::npos);
+}
+
+TEST_F(JpegIsChosen, BecauseTheAddressAsksForLittle) {
+  EXPECT_EQ(raw_frames_obstacle("udpm://239.255.76.67:7667?recv_buf_size=65536&ttl=0", kEnough),
+            "the bus's address asks for a receive buffer of 65536 bytes; raw frames need 2000000: use --lcm-url "
+            "'udpm://239.255.76.67:7667?ttl=0&recv_buf_size=4194304'");
+}
+
+TEST_F(JpegIsChosen, BecauseTheKernelGrantsLittle) {
+  EXPECT_EQ(raw_frames_obstacle("udpm://239.255.76.67:7667?recv_buf_size=4194304", kSmall),
+            "the kernel grants receive buffers of at most 212992 bytes (net.core.rmem_max); raw frames need 2000000: "
+            "run: sysctl -w net.core.rmem_max=4194304");
+}
+
+TEST_F(JpegIsChosen, ForBothReasonsAtOnce) {
+  const std::string both = raw_frames_obstacle("udpm://239.255.76.67:7667", kSmall);
+  EXPECT_NE(both.find("asks for no receive buffer, and the kernel grants"), std::string::npos) << both;
+  EXPECT_NE(both.find("', and run: sysctl -w"), std::string::npos) << both;
+}
+
+TEST_F(JpegIsChosen, WithOneLineThatSaysSo) {
+  EXPECT_EQ(jpeg_notice("the reason"), "frames go as JPEG: the reason");
+}
+
 }  // namespace
 }  // namespace markservo::bus

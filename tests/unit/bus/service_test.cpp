@@ -10,6 +10,7 @@
 #include <markservo/ServiceStatus.hpp>
 
 #include "common/robot/configuration_error.hpp"
+#include "tests/unit/bus/environment_variable.hpp"
 
 namespace markservo::bus {
 namespace {
@@ -65,6 +66,25 @@ class ServiceMain : public ::testing::Test {
 
 TEST_F(ServiceMain, EndsWithZeroWhenStopped) {
   EXPECT_EQ(run({"--lcm-url", "memq://"}), kExitStopped);
+}
+
+TEST_F(ServiceMain, GoesOnTheBusThatLcmsVariableNamesAndSaysSo) {
+  const test::EnvironmentVariable ours("MARKSERVO_LCM_URL", std::nullopt);
+  const test::EnvironmentVariable of_lcm("LCM_DEFAULT_URL", "memq://");
+  EXPECT_EQ(run({}), kExitStopped);
+  EXPECT_NE(errors_.find("on memq:// (the bus that LCM_DEFAULT_URL names)"), std::string::npos) << errors_;
+}
+
+// A robot's service waits for its network, but an address where nobody serves may be a slip.
+TEST_F(ServiceMain, IsRefusedInOneLineByAServerThatIsMissing) {
+  const test::EnvironmentVariable ours("MARKSERVO_LCM_URL", std::nullopt);
+  EXPECT_EQ(run({"--lcm-url", "tcpq://127.0.0.1:1"}), kExitBusUnavailable);
+  EXPECT_NE(errors_.find("no LCM server at 127.0.0.1:1 (Connection refused)"), std::string::npos) << errors_;
+  EXPECT_EQ(std::count(errors_.begin(), errors_.end(), '\n'), 1) << errors_;
+  const test::EnvironmentVariable of_lcm("LCM_DEFAULT_URL", "tcpq://127.0.0.1:1");
+  EXPECT_EQ(run({}), kExitBusUnavailable);
+  EXPECT_NE(errors_.find("(the bus that LCM_DEFAULT_URL names)"), std::string::npos) << errors_;
+  EXPECT_EQ(std::count(errors_.begin(), errors_.end(), '\n'), 1) << errors_;
 }
 
 TEST_F(ServiceMain, SpeaksInTheNameOfTheCommandThatWasTyped) {
