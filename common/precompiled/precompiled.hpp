@@ -1,7 +1,7 @@
 #pragma once
 
-// What most files include, compiled once in a build (CMake option MARKSERVO_PRECOMPILE). A file includes what it uses as if
-// this were not there: the sanitizers' builds and clang-tidy do without it.
+// What most files include, compiled once in a build (CMake option MARKSERVO_PRECOMPILE). A file includes what it uses
+// as if this were not there: the sanitizers' builds and clang-tidy do without it.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
