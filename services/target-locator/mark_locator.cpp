@@ -7,21 +7,40 @@
 #include <utility>
 
 #include "services/target-locator/contour/contrast_patch.hpp"
+#include "services/target-locator/image/mask_moments.hpp"
 #include "services/target-locator/image/texture_strength.hpp"
 #include "services/target-locator/paper/paper_method.hpp"
 
 namespace markservo::target_locator {
 namespace {
 
-// What the texture alone says of a flat mark.
+// What the texture alone says of a mark.
 struct ByTexture {
   Location location;
-  PlaneAlignment plane;  // valid when located
+  PlaneAlignment plane;   // valid when a plane is located
+  bool all_over = false;  // there is texture all over the mark, matched or not
 };
+
+// Features enough, and spread as the mark is: those of a highlight or a shadow's border lie together.
+bool is_all_over(const std::vector<Feature>& features, const Mask& mask, const LocatorParameters& parameters) {
+  if (static_cast<int>(features.size()) < parameters.min_matches) return false;
+  const auto n = static_cast<double>(features.size());
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  double squares = 0.0;
+  for (const Feature& feature : features) {
+    const Eigen::Vector2d at(feature.column, feature.row);
+    mean += at / n;
+    squares += at.squaredNorm() / n;
+  }
+  const MaskMoments moments = moments_of(mask);
+  const double spread_2 = squares - mean.squaredNorm();
+  return spread_2 >= std::pow(parameters.texture_spread, 2) * (moments.xx + moments.yy);
+}
 
 ByTexture locate_by_texture(const MarkObservation& observation, const geometry::StereoCamera& camera,
                             const LocatorParameters& parameters, LocatorWorkspace& work) {
   ByTexture by_texture;
+  by_texture.all_over = is_all_over(work.features, work.images.left.mask, parameters);
   MarkPlane plane =
       measure_plane(observation, parameters.plane, parameters.min_matches, work.images, work.features, work.plane);
   Location& location = by_texture.location;
@@ -63,17 +82,19 @@ bool is_plain(const MarkImages& images, double plain_texture) {
 
 // Where the texture does not suffice: by the outline, fused with what texture there is, or by the middle of the colour.
 Location locate_without_texture(const MarkObservation& observation, const geometry::StereoCamera& camera,
-                                const LocatorParameters& parameters, const Location& by_texture,
+                                const LocatorParameters& parameters, const ByTexture& by_texture,
                                 const std::optional<PlaneAlignment>& texture, LocatorWorkspace& work) {
+  const bool located = by_texture.location.status == Status::kLocated;
   const bool plain = is_plain(work.images, parameters.plain_texture);
-  if (by_texture.status == Status::kInconsistent && !plain) return by_texture;
+  // Two things of one outline may have different prints: a texture that does not match is not overruled.
+  if (!located && by_texture.all_over && !plain) return by_texture.location;
   if (observation.surface != Surface::kFree) {
     const auto by_outline = locate_by_outline(observation, camera, parameters.outline, texture, work.images);
     if (by_outline) return location_of(*by_outline, Cue::kOutline);
   }
-  if (by_texture.status == Status::kLocated || !plain) return by_texture;
+  if (located || !plain) return by_texture.location;
   const auto by_centroid = locate_by_centroid(observation, camera, parameters.centroid, work.images);
-  return by_centroid ? location_of(*by_centroid, Cue::kCentroid) : by_texture;
+  return by_centroid ? location_of(*by_centroid, Cue::kCentroid) : by_texture.location;
 }
 
 Location locate_flat_mark(const MarkObservation& observation, const geometry::StereoCamera& camera,
@@ -86,7 +107,7 @@ Location locate_flat_mark(const MarkObservation& observation, const geometry::St
     return by_texture.location;
   }
   const auto texture = located ? std::make_optional(by_texture.plane) : std::nullopt;
-  return locate_without_texture(observation, camera, parameters, by_texture.location, texture, work);
+  return locate_without_texture(observation, camera, parameters, by_texture, texture, work);
 }
 
 // The paper's way: by corners of the texture, or, on a mark that has none, by those of its outline.
@@ -119,14 +140,16 @@ Location locate_seen(const MarkObservation& observation, const geometry::StereoC
     return locate_by_corners(observation, camera, parameters, work);
   }
   if (observation.surface == Surface::kFree) {
-    const Location location =
+    ByTexture by_texture;
+    by_texture.location =
         locate_free_surface(observation, camera, parameters.free_surface, parameters.min_matches, patch, work.features);
-    if (location.status == Status::kLocated) return location;
-    return locate_without_texture(observation, camera, parameters, location, std::nullopt, work);
+    if (by_texture.location.status == Status::kLocated) return by_texture.location;
+    by_texture.all_over = is_all_over(work.features, work.images.left.mask, parameters);
+    return locate_without_texture(observation, camera, parameters, by_texture, std::nullopt, work);
   }
   if (observation.surface == Surface::kBall) {
-    Location nothing;
-    nothing.status = Status::kTooFewMatches;
+    ByTexture nothing;
+    nothing.location.status = Status::kTooFewMatches;
     return locate_without_texture(observation, camera, parameters, nothing, std::nullopt, work);
   }
   return locate_flat_mark(observation, camera, parameters, work);

@@ -32,6 +32,7 @@ struct LocatorParameters {
   OutlineMethodParameters outline;    // where texture does not suffice
   ColourCentroidParameters centroid;  // where nothing else tells
   double weak_texture_px = 0.05;      // of disparity: sigma of the texture's plane beyond which the outline is asked
+  double texture_spread = 0.5;        // of a mark's own extent, that its features have where it is textured all over
   double plain_texture = 0.06;        // of the mark's contrast: texture below it cannot contradict the outline
   PaperParameters paper;
 };
