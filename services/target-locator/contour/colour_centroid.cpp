@@ -83,10 +83,13 @@ std::optional<OutlineEstimate> locate_by_centroid(const MarkObservation& observa
   if (!(missing <= parameters.most_missing)) return std::nullopt;
   // A hidden strip shifts a view's middle by half its width.
   const double hidden = std::pow(0.5 * missing, 2) * area;
+  // And a slanted or round thing's middle is not the middle of its image, by as much as its nearest and farthest points
+  // differ in size to second order.
+  const double perspective = std::pow(camera.disparity(point) * area / (4.0 * camera.fx * camera.fx), 2);
   Eigen::Matrix3d image = Eigen::Matrix3d::Zero();  // px^2, of (u_left, v, disparity)
-  image(0, 0) = l->variance + hidden;
-  image(1, 1) = 0.5 * (l->variance + r->variance) + hidden;
-  image(2, 2) = l->variance + r->variance + hidden;
+  image(0, 0) = l->variance + hidden + perspective;
+  image(1, 1) = 0.5 * (l->variance + r->variance) + hidden + perspective;
+  image(2, 2) = l->variance + r->variance + hidden + perspective;
   image(0, 2) = image(2, 0) = l->variance;
   const Eigen::Matrix3d jacobian = geometry::triangulation_jacobian(camera, point);
   OutlineEstimate estimate;
