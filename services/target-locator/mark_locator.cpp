@@ -125,7 +125,16 @@ Location locate_by_corners(const MarkObservation& observation, const geometry::S
   find_features(work.measures, about, parameters.features, work.features);
   Location location = locate_as_in_the_paper(observation, camera, parameters.paper, parameters.paper.min_corners,
                                              *at_outline, work.features);
-  if (location.status == Status::kLocated) location.cue = Cue::kOutline;
+  if (location.status != Status::kLocated) return location;
+  location.cue = Cue::kOutline;
+  // Corners on whole pixels may all have the same disparity, so that their scatter says nothing.
+  const auto seen = geometry::project(camera, location.p_C);
+  if (!seen) return location;
+  const Eigen::Matrix3d jacobian = geometry::triangulation_jacobian(camera, *seen);
+  constexpr double kRounding = 1.0 / 12.0;  // px^2, of a whole pixel
+  const double pixel_2 = kRounding * std::pow(at_outline->left_frame.scale, 2);
+  const Eigen::Vector3d variances(pixel_2, pixel_2, 2.0 * pixel_2);
+  location.covariance += jacobian * variances.asDiagonal() * jacobian.transpose();
   return location;
 }
 

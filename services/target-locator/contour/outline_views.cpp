@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "services/target-locator/contour/ellipse_contour.hpp"
@@ -42,7 +43,13 @@ std::optional<Matrix8> corner_jacobian(const QuadContour& contour) {
 }  // namespace
 
 std::optional<ContrastView> contrast_of(const Patch& patch, MarkMasks& masks) {
-  const Contrast contrast = mark_contrast(mark_colours(patch, masks));
+  MarkColours colours = mark_colours(patch, masks);
+  constexpr std::int64_t kHardlyAny = 16;  // pixels: of a small mark nothing is well inside
+  if (colours.inside.count < kHardlyAny) {
+    colours.inside = {};
+    imaging::add_colours(patch.bgr, std::ptrdiff_t{3} * patch.width, masks.mask, 1, colours.inside);
+  }
+  const Contrast contrast = mark_contrast(colours);
   if (!contrast.valid) return std::nullopt;
   ContrastView view{masks.mask, patch.frame, {}};
   project_colours(patch, contrast.map, view.contrast);

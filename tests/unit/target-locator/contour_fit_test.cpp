@@ -87,7 +87,7 @@ TEST(ContourFit, FindsItWhereLightFallsFromOneSideAndTheGroundChanges) {
   };
   const auto fitted = fit_contour(image_of(square(), lit, 0.0, 1), around(square(), 0.5), {});
   ASSERT_TRUE(fitted);
-  EXPECT_LT(corners_off(fitted->shape, square()), 0.03);
+  EXPECT_LT(corners_off(fitted->shape, square()), 0.05);
 }
 
 TEST(ContourFit, FindsItWhereAShadowCrossesIt) {
