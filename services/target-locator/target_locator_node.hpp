@@ -21,7 +21,7 @@ class TargetLocatorNode final : public bus::Service {
   void start(bus::Bus& bus) override;
 
  private:
-  void handle(const MarkDetection& detection);
+  void on_detection(const MarkDetection& detection);
 
   std::string method_ = "refined";
   std::vector<std::string> surface_texts_;
