@@ -17,8 +17,9 @@ struct ColourCentroidParameters {
   double most_missing = 0.3;     // relative, beyond it something hides too much of the mark
 };
 
-// An affine map takes middles to middles, so that the two belong together whatever the shape. What may be missing of
-// the mark in one view is in the covariance. Nothing where mark and surroundings look the same.
+// Measures a mark by the middle of its colour. An affine map takes middles to middles, so that the two belong together
+// whatever the shape. What may be missing of the mark in one view is in the covariance. Nothing where mark and
+// surroundings look the same.
 std::optional<OutlineEstimate> locate_by_centroid(const MarkObservation& observation,
                                                   const geometry::StereoCamera& camera,
                                                   const ColourCentroidParameters& parameters, MarkImages& images);

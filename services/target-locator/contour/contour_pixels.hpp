@@ -21,7 +21,7 @@ struct ContourPixels {
   std::vector<bool> used;  // of each block
 };
 
-// Those from `reach_in` px inside the outline to `reach_out` px outside, in `blocks` blocks.
+// The pixels from `reach_in` px inside the outline to `reach_out` px outside, in `blocks` blocks of equal length.
 template <class Shape>
 ContourPixels pixels_about(const PlaneImage& image, const Shape& shape, double reach_in, double reach_out,
                            std::size_t blocks) {

@@ -17,10 +17,11 @@ class EllipseContour {
 
   EllipseContour(const Eigen::Vector2d& centre, const Eigen::Matrix2d& shape);
 
-  // The outline counts as straight within the blur's reach, which makes it too small by blur^2 / (2 radius) all around.
+  // What a pixel at (x, y) shows of it. The outline counts as straight within the blur's reach, which makes it too
+  // small by blur^2 / (2 radius) all around.
   Coverage at(double x, double y, double blur) const;
   double perimeter() const;
-  // Of some size, and no line.
+  // Whether it is of some size, and no line.
   bool is_sane() const;
   void change(const Vector& by);
 

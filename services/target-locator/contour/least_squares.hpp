@@ -10,7 +10,8 @@ namespace markservo::target_locator {
 
 using VectorFunction = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd&)>;
 
-// Central differences with steps of `step` (one for each argument). Nothing where the function has no value.
+// The function's derivatives by central differences with steps of `step` (one for each argument). Nothing where it has
+// no value.
 std::optional<Eigen::MatrixXd> derivatives_of(const VectorFunction& function, const Eigen::VectorXd& at,
                                               const Eigen::VectorXd& step);
 
@@ -31,7 +32,7 @@ struct LeastSquaresProblem {
   Eigen::VectorXd step;  // of the unknowns, for differences
 };
 
-// Gauss-Newton. Nothing when the measurements do not fix the unknowns, or where predict has no value.
+// Solves by Gauss-Newton. Nothing when the measurements do not fix the unknowns, or where predict has no value.
 std::optional<LeastSquaresSolution> solve_least_squares(const LeastSquaresProblem& problem);
 
 }  // namespace markservo::target_locator

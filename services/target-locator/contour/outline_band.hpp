@@ -19,7 +19,7 @@ struct OutlineBandParameters {
   AlignmentParameters alignment;
 };
 
-// The contour's points matched along the rows, all at once: the pixels about the outline are aligned as a texture is,
+// Matches the contour's points along the rows, all at once: the pixels about the outline are aligned as a texture is,
 // in the colour by which the mark stands out. What lies behind the mark should be of one colour or as far away. Nothing
 // when the views do not show the same outline.
 std::optional<PlaneAlignment> plane_of_outline(const MarkObservation& observation, const MarkImages& images,

@@ -20,8 +20,9 @@ struct OutlineMethodParameters {
   OutlineBandParameters band;
 };
 
-// `texture` is what the texture says of the plane, to be fused with by its covariance. Nothing when the outline is not
-// what the mark is said to have, is hidden in part, or the views contradict each other.
+// Measures a mark by its outline in both views. `texture` is what the texture says of the plane, to be fused with by
+// its covariance. Nothing when the outline is not what the mark is said to have, is hidden in part, or the views
+// contradict each other.
 std::optional<OutlineEstimate> locate_by_outline(const MarkObservation& observation,
                                                  const geometry::StereoCamera& camera,
                                                  const OutlineMethodParameters& parameters,

@@ -24,16 +24,17 @@ struct ContrastView {
   PlaneImage contrast;
 };
 
-// Nothing where mark and surroundings look the same. `masks` of the patch; makes the ring.
+// The view in the colour by which the mark stands out. Nothing where mark and surroundings look the same. `masks` are
+// the patch's; their ring is made.
 std::optional<ContrastView> contrast_of(const Patch& patch, MarkMasks& masks);
 
-// The corners, column and row of each, px of the image. Nothing when the outline is no quadrangle.
+// The square's corners, column and row of each, px of the image. Nothing when the outline is no quadrangle.
 std::optional<OutlineInView> quadrangle_of(const ContrastView& view, const OutlineViewParameters& parameters);
 
 // The right quadrangle's corners in the order of the left one's.
 OutlineInView in_order_of(const OutlineInView& left, const OutlineInView& right);
 
-// An ellipse's parameters (EllipseContour), px of the image. Nothing when the outline is none.
+// The parameters of a disc's or ball's ellipse (EllipseContour), px of the image. Nothing when the outline is none.
 std::optional<OutlineInView> ellipse_of(const ContrastView& view, const OutlineViewParameters& parameters);
 
 }  // namespace markservo::target_locator

@@ -17,13 +17,15 @@ class QuadContour {
   static constexpr int kSize = 8;
   using Vector = Eigen::Matrix<double, kSize, 1>;
 
-  // Of four lines with normals outwards, line k + 1 following line k around. Nothing when they enclose no quadrangle.
+  // Makes the quadrangle of four lines with normals outwards, line k + 1 following line k around. Nothing when they
+  // enclose none.
   static std::optional<QuadContour> from_lines(const Lines& lines);
 
-  // Beside corners the coverages of both sides are multiplied, which is exact for right angles.
+  // What a pixel at (x, y) shows of it. Beside corners the coverages of both sides are multiplied, which is exact for
+  // right angles.
   Coverage at(double x, double y, double blur) const;
   double perimeter() const;
-  // The quadrangle is convex and of some size.
+  // Whether it is convex and of some size.
   bool is_sane() const;
   void change(const Vector& by) { parameters_ += by; }
 

@@ -46,17 +46,18 @@ struct SharedOutlineInput {
   std::optional<PlaneAlignment> texture;  // what texture says of the plane, to be fused with
 };
 
-// Values: column and row of four corners in order around, of the same corners in both views. Nothing when the views
-// contradict each other, or their quadrangle in space is no square.
+// Measures a square. Values: column and row of four corners in order around, of the same corners in both views. Nothing
+// when the views contradict each other, or their quadrangle in space is no square.
 std::optional<OutlineEstimate> square_from_outlines(const SharedOutlineInput& input,
                                                     const SharedOutlineParameters& parameters);
 
-// Values: an ellipse's parameters (EllipseContour). Nothing when the views contradict each other, or their ellipse in
-// space is no circle.
+// Measures a disc. Values: an ellipse's parameters (EllipseContour). Nothing when the views contradict each other, or
+// their ellipse in space is no circle.
 std::optional<OutlineEstimate> disc_from_outlines(const SharedOutlineInput& input,
                                                   const SharedOutlineParameters& parameters);
 
-// The same values; nothing is said by texture. A sphere's outline is where a cone of lines of sight touches it.
+// Measures a ball, by the same values; nothing is said by texture. A sphere's outline is where a cone of lines of sight
+// touches it.
 std::optional<OutlineEstimate> ball_from_outlines(const SharedOutlineInput& input,
                                                   const SharedOutlineParameters& parameters);
 

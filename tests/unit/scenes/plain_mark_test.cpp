@@ -20,9 +20,8 @@ PlainMark square_of(double width_px) {
   return mark;
 }
 
-// By hand: a view's two upright sides, w px long, tell a shift to sigma / contrast / sqrt(2 w e), e being the integral of
-// the square of how the edge rises, per px. The disparity is the
-// difference of two.
+// By hand: a view's two upright sides, w px long, tell a shift to sigma / contrast / sqrt(2 w e), e being the integral
+// of the square of how the edge rises, per px. The disparity is the difference of two.
 TEST(LeastError, OfAFacingSquareIsThatOfItsUprightSides) {
   for (const double width_px : {30.0, 60.0, 100.0}) {
     constexpr double kPerPx = 0.4681;
