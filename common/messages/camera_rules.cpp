@@ -117,6 +117,7 @@ std::string MessageRules<TargetPose>::violation(const TargetPose& pose) {
   for (const auto& mark : pose.marks) {
     if (auto why = enum_violation("role", mark.role, DetectedMark::ROLE_MANIPULATOR); !why.empty()) return why;
     if (auto why = enum_violation("status", mark.status, LocatedMark::INCONSISTENT); !why.empty()) return why;
+    if (auto why = enum_violation("cue", mark.cue, LocatedMark::CUE_CENTROID); !why.empty()) return why;
     if (auto why = near_violation("p_C", mark.p_C); !why.empty()) return "mark " + mark.name + ": " + why;
     if (auto why = near_violation("normal_C", mark.normal_C); !why.empty()) return "mark " + mark.name + ": " + why;
     if (auto why = covariance_violation(mark.covariance, kMaxMarkVariance); !why.empty()) {

@@ -8,6 +8,7 @@
 
 #include "common/states/base_state.hpp"
 #include "common/states/localisation_state.hpp"
+#include "common/states/mark_cue.hpp"
 #include "common/states/mark_status.hpp"
 #include "common/states/servo_state.hpp"
 #include "common/states/task_phase.hpp"
@@ -42,6 +43,11 @@ static_assert(code_of(MarkStatus::kSeenByOne) == LocatedMark::SEEN_BY_ONE);
 static_assert(code_of(MarkStatus::kClipped) == LocatedMark::CLIPPED);
 static_assert(code_of(MarkStatus::kTooFewMatches) == LocatedMark::TOO_FEW_MATCHES);
 static_assert(code_of(MarkStatus::kInconsistent) == LocatedMark::INCONSISTENT);
+
+static_assert(code_of(MarkCue::kNone) == LocatedMark::CUE_NONE);
+static_assert(code_of(MarkCue::kTexture) == LocatedMark::CUE_TEXTURE);
+static_assert(code_of(MarkCue::kOutline) == LocatedMark::CUE_OUTLINE);
+static_assert(code_of(MarkCue::kCentroid) == LocatedMark::CUE_CENTROID);
 
 static_assert(code_of(TaskPhase::kIdle) == TaskState::IDLE);
 static_assert(code_of(TaskPhase::kLook) == TaskState::LOOK);

@@ -118,13 +118,27 @@ GripDescription load_grip(YamlSection section) {
   return grip;
 }
 
+MarkSurface load_surface(YamlSection& section) {
+  const std::string word = section.one_of("surface", {"plane", "free", "ball"});
+  if (word == "ball") return MarkSurface::kBall;
+  return word == "free" ? MarkSurface::kFree : MarkSurface::kPlane;
+}
+
+MarkOutline load_outline(YamlSection& section, MarkSurface surface) {
+  const std::string word = section.one_of("outline", {"square", "disc", "other"});
+  if (surface != MarkSurface::kPlane) section.fail("outline", word, "no outline but where surface is plane");
+  if (word == "disc") return MarkOutline::kDisc;
+  return word == "other" ? MarkOutline::kOther : MarkOutline::kSquare;
+}
+
 MarkDescription load_mark(YamlSection section) {
   MarkDescription mark;
   mark.name = section.text("name");
   mark.role =
       section.one_of("role", {"target", "manipulator"}) == "target" ? MarkRole::kTarget : MarkRole::kManipulator;
   mark.size = section.number("size", kMarkSize);
-  mark.surface = section.one_of("surface", {"plane", "free"}) == "plane" ? MarkSurface::kPlane : MarkSurface::kFree;
+  mark.surface = load_surface(section);
+  if (section.has("outline")) mark.outline = load_outline(section, mark.surface);
   mark.colour = load_colour(section.section("colour"));
   if (section.has("grip")) mark.grip = load_grip(section.section("grip"));
   section.require_all_used();

@@ -63,7 +63,12 @@ struct ColourInterval {
 };
 
 enum class MarkRole { kTarget, kManipulator };
-enum class MarkSurface { kPlane, kFree };
+enum class MarkSurface {
+  kPlane,  // one flat piece
+  kFree,   // all that has the colour, of any form
+  kBall,
+};
+enum class MarkOutline { kSquare, kDisc, kOther };  // of a plane
 
 // How an object is gripped, told from its mark.
 struct GripDescription {
@@ -77,8 +82,9 @@ inline constexpr std::size_t kMaxMarks = 8;  // a byte of mask bits; TARGET_POSE
 struct MarkDescription {
   std::string name;
   MarkRole role = MarkRole::kTarget;
-  double size = 0.0;  // m, edge of the square
+  double size = 0.0;  // m, edge of the square; diameter of a disc or ball; about the width of any other
   MarkSurface surface = MarkSurface::kPlane;
+  MarkOutline outline = MarkOutline::kSquare;
   ColourInterval colour;
   std::optional<GripDescription> grip;  // targets that can be taken
 };

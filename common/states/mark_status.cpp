@@ -13,7 +13,7 @@ const char* name_of(MarkStatus status) {
     case MarkStatus::kClipped:
       return "cut by an image border";
     case MarkStatus::kTooFewMatches:
-      return "seen, but too few of its points match";
+      return "seen, but neither its texture nor its outline tells where";
     case MarkStatus::kInconsistent:
       return "seen, but its two views do not fit together";
   }

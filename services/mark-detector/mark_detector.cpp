@@ -98,7 +98,7 @@ MarkSet MarkDetector::search_where_marks_were(const Input& input, const PairScan
   MarkSet others;
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     // A free mark is all that has its colour, wherever.
-    const bool can_follow = state.tracks[i].is_fresh() && marks_[i].surface == robot::MarkSurface::kPlane;
+    const bool can_follow = state.tracks[i].is_fresh() && marks_[i].surface != robot::MarkSurface::kFree;
     (can_follow ? followed : others).set(i);
   }
   MarkSet everywhere;
@@ -147,7 +147,7 @@ void MarkDetector::remember(const Input& input, State& state) const {
   for (std::size_t i = 0; i < marks_.size(); ++i) {
     const Finding& finding = state.output.marks[i];
     if (!finding.seen_by_both()) continue;
-    if (marks_[i].surface == robot::MarkSurface::kPlane) {
+    if (marks_[i].surface != robot::MarkSurface::kFree) {
       // It may be another thing if it is cut by the border, so that its size says nothing, or not of the mark's colour
       // in this light. Its place is not worth remembering.
       if (finding.left.clipped || finding.right.clipped) continue;

@@ -10,9 +10,10 @@ namespace markservo::mark_detector {
 namespace {
 
 [[noreturn]] void fail(const std::string& text, const std::string& what) {
-  throw ConfigurationError("--mark '" + text + "': " + what +
-                           "; allowed: NAME=hue_min:hue_max:sat_min:sat_max:val_min:val_max[:plane|:free], hue 0 to "
-                           "360 degrees, saturation and value 0 to 1, rising");
+  throw ConfigurationError(
+      "--mark '" + text + "': " + what +
+      "; allowed: NAME=hue_min:hue_max:sat_min:sat_max:val_min:val_max[:plane|:free|:ball], hue 0 to "
+      "360 degrees, saturation and value 0 to 1, rising");
 }
 
 double number(const std::string& text, const std::string& word, double max) {
@@ -36,6 +37,8 @@ robot::MarkDescription parse_mark(const std::string& text) {
   for (std::string word; std::getline(rest, word, ':');) words.push_back(word);
   if (words.size() == kNumbers + 1 && words.back() == "free") {
     mark.surface = robot::MarkSurface::kFree;
+  } else if (words.size() == kNumbers + 1 && words.back() == "ball") {
+    mark.surface = robot::MarkSurface::kBall;
   } else if (words.size() == kNumbers + 1 && words.back() != "plane") {
     fail(text, "surface '" + words.back() + "'");
   }

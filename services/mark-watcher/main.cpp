@@ -8,10 +8,12 @@
 #include "common/bus/service.hpp"
 #include "common/messages/state_codes.hpp"
 #include "common/robot/require_mark.hpp"
+#include "common/states/mark_cue.hpp"
 #include "common/states/mark_status.hpp"
 
 using markservo::LocatedMark;
 using markservo::TargetPose;
+using markservo::messages::state_of;
 
 namespace {
 
@@ -40,10 +42,10 @@ class MarkWatcher : public markservo::bus::Service {
     for (const LocatedMark& mark : pose.marks) {
       if (!only_.empty() && mark.name != only_) continue;
       if (mark.status == LocatedMark::LOCATED) {
-        std::printf("%s x=%.4f m y=%.4f m z=%.4f m\n", mark.name.c_str(), mark.p_C.x, mark.p_C.y, mark.p_C.z);
+        const char* cue = name_of(state_of<markservo::MarkCue>(mark.cue));
+        std::printf("%s x=%.4f m y=%.4f m z=%.4f m, %s\n", mark.name.c_str(), mark.p_C.x, mark.p_C.y, mark.p_C.z, cue);
       } else {
-        const auto status = markservo::messages::state_of<markservo::MarkStatus>(mark.status);
-        std::printf("%s not located: %s\n", mark.name.c_str(), name_of(status));
+        std::printf("%s not located: %s\n", mark.name.c_str(), name_of(state_of<markservo::MarkStatus>(mark.status)));
       }
     }
     std::fflush(stdout);

@@ -5,11 +5,13 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "common/states/mark_cue.hpp"
 #include "common/states/mark_status.hpp"
 
 namespace markservo::target_locator {
 
 using Status = MarkStatus;
+using Cue = MarkCue;
 
 struct Match {
   double u_left = 0.0;    // px
@@ -21,6 +23,7 @@ struct Match {
 
 struct Location {
   Status status = Status::kUnseen;
+  Cue cue = Cue::kNone;                                  // what carries the position; none unless located
   Eigen::Vector3d p_C = Eigen::Vector3d::Zero();         // m, the mark's centre; valid when located
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // m^2, of p_C
   Eigen::Vector3d normal_C = Eigen::Vector3d::Zero();    // towards the cameras; zero when it is not known

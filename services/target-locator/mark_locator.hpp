@@ -4,6 +4,8 @@
 
 #include "common/geometry/stereo_camera.hpp"
 #include "services/target-locator/centre/flat_mark_centre.hpp"
+#include "services/target-locator/contour/colour_centroid.hpp"
+#include "services/target-locator/contour/outline_method.hpp"
 #include "services/target-locator/features/features.hpp"
 #include "services/target-locator/free_surface/free_surface.hpp"
 #include "services/target-locator/location.hpp"
@@ -27,6 +29,11 @@ struct LocatorParameters {
   PlaneParameters plane;    // flat marks
   CentreParameters centre;  // flat marks
   FreeSurfaceParameters free_surface;
+  OutlineMethodParameters outline;    // where texture does not suffice
+  ColourCentroidParameters centroid;  // where nothing else tells
+  double weak_texture_px = 0.05;      // of disparity: sigma of the texture's plane beyond which the outline is asked
+  double texture_spread = 0.5;        // of a mark's own extent, that its features have where it is textured all over
+  double plain_texture = 0.06;        // of the mark's contrast: texture below it cannot contradict the outline
   PaperParameters paper;
 };
 

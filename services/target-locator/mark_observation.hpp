@@ -33,13 +33,15 @@ struct View {
   double centre_v() const { return y + 0.5 * (height - 1.0); }  // px, of the box
 };
 
-enum class Surface { kPlane, kFree };
+enum class Surface { kPlane, kFree, kBall };
+enum class Outline { kSquare, kDisc, kOther };  // of a plane
 
 struct MarkObservation {
   View left;
   View right;
   Surface surface = Surface::kPlane;
-  double size = 0.0;  // m, edge of the square; 0: unknown
+  Outline outline = Outline::kSquare;
+  double size = 0.0;  // m, edge of the square, diameter of a disc or ball; 0: unknown
 };
 
 }  // namespace markservo::target_locator

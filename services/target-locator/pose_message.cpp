@@ -38,12 +38,13 @@ geometry::StereoCamera camera_of(const StereoCalibration& c) {
   return {c.fx, c.fy, c.cx_left, c.cx_right, c.cy, c.baseline};
 }
 
-MarkObservation observation_of(const DetectedMark& mark, Surface surface, double size) {
+MarkObservation observation_of(const DetectedMark& mark, const KnownMark& known) {
   MarkObservation observation;
   observation.left = view_of(mark.left);
   observation.right = view_of(mark.right);
-  observation.surface = surface;
-  observation.size = size;
+  observation.surface = known.surface;
+  observation.outline = known.outline;
+  observation.size = known.size;
   return observation;
 }
 
@@ -52,6 +53,7 @@ LocatedMark located_mark(const DetectedMark& mark, const Location& location) {
   message.name = mark.name;
   message.role = mark.role;
   message.status = messages::code_of(location.status);
+  message.cue = messages::code_of(location.cue);
   message.p_C = message_of(location.p_C);
   message.covariance.xx = location.covariance(0, 0);
   message.covariance.xy = location.covariance(0, 1);

@@ -18,8 +18,15 @@ inline constexpr int kMaxPoseBytes = 1400;
 
 geometry::StereoCamera camera_of(const StereoCalibration& calibration);
 
+// What robot.yaml or --surface says of a mark.
+struct KnownMark {
+  Surface surface = Surface::kPlane;
+  Outline outline = Outline::kSquare;
+  double size = 0.0;  // m; 0: unknown
+};
+
 // Points into `mark`'s patches, so `mark` must outlive it. `mark` must have passed the bus's checks.
-MarkObservation observation_of(const DetectedMark& mark, Surface surface, double size);
+MarkObservation observation_of(const DetectedMark& mark, const KnownMark& known);
 
 LocatedMark located_mark(const DetectedMark& mark, const Location& location);
 

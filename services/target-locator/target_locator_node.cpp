@@ -12,12 +12,48 @@
 
 namespace markservo::target_locator {
 
+namespace {
+
+Surface surface_of(robot::MarkSurface surface) {
+  switch (surface) {
+    case robot::MarkSurface::kFree:
+      return Surface::kFree;
+    case robot::MarkSurface::kBall:
+      return Surface::kBall;
+    case robot::MarkSurface::kPlane:
+      break;
+  }
+  return Surface::kPlane;
+}
+
+Outline outline_of(robot::MarkOutline outline) {
+  switch (outline) {
+    case robot::MarkOutline::kDisc:
+      return Outline::kDisc;
+    case robot::MarkOutline::kOther:
+      return Outline::kOther;
+    case robot::MarkOutline::kSquare:
+      break;
+  }
+  return Outline::kSquare;
+}
+
+std::optional<Surface> surface_named(const std::string& word) {
+  if (word == "plane") return Surface::kPlane;
+  if (word == "free") return Surface::kFree;
+  if (word == "ball") return Surface::kBall;
+  return std::nullopt;
+}
+
+}  // namespace
+
 void TargetLocatorNode::add_options(CLI::App& app) {
   const bus::Options add(app);
   add.option("--method", method_, "refined: sub-pixel, checked; paper: the paper's matching as it stands")
       .one_of({"refined", "paper"})
       .show_default();
-  add.option("--surface", surface_texts_, "NAME=plane or NAME=free: what the mark is, instead of robot.yaml's word");
+  add.option("--surface", surface_texts_,
+             "NAME=plane, NAME=free or NAME=ball: what the mark is, instead of robot.yaml's word");
   add.option("--max-features", parameters_.features.max_features, "Most feature points per mark")
       .in_range(6, 100000)
       .show_default();
@@ -45,16 +81,17 @@ void TargetLocatorNode::configure(const std::string& robot_file) {
   }
   const robot::RobotDescription description = robot::load_robot_description(robot_file);
   for (const auto& mark : description.marks) {
-    marks_[mark.name] = {mark.surface == robot::MarkSurface::kFree ? Surface::kFree : Surface::kPlane, mark.size};
+    marks_[mark.name] = {surface_of(mark.surface), outline_of(mark.outline), mark.size};
   }
   for (const std::string& text : surface_texts_) {
     if (text.empty()) continue;  // as --print-config writes an unset option
     const auto equals = text.rfind('=');
     const std::string word = equals == std::string::npos ? "" : text.substr(equals + 1);
-    if (equals == 0 || (word != "plane" && word != "free")) {
-      throw ConfigurationError("--surface '" + text + "': allowed: NAME=plane or NAME=free");
+    const auto surface = surface_named(word);
+    if (equals == 0 || !surface) {
+      throw ConfigurationError("--surface '" + text + "': allowed: NAME=plane, NAME=free or NAME=ball");
     }
-    marks_[text.substr(0, equals)].surface = word == "free" ? Surface::kFree : Surface::kPlane;
+    marks_[text.substr(0, equals)].surface = *surface;
   }
 }
 
@@ -72,8 +109,7 @@ void TargetLocatorNode::on_detection(const MarkDetection& detection) {
   for (const DetectedMark& mark : detection.marks) {
     const auto known = marks_.find(mark.name);
     const KnownMark described = known == marks_.end() ? KnownMark{} : known->second;
-    const Location location =
-        locate_mark(observation_of(mark, described.surface, described.size), camera, parameters_, work_);
+    const Location location = locate_mark(observation_of(mark, described), camera, parameters_, work_);
     pose.marks.push_back(located_mark(mark, location));
     matches.marks.push_back(matches_of(mark, location));
   }

@@ -10,6 +10,7 @@
 
 #include "common/bus/service.hpp"
 #include "services/target-locator/mark_locator.hpp"
+#include "services/target-locator/pose_message.hpp"
 
 namespace markservo::target_locator {
 
@@ -20,12 +21,6 @@ class TargetLocatorNode final : public bus::Service {
   void start(bus::Bus& bus) override;
 
  private:
-  // What robot.yaml or --surface says of a mark.
-  struct KnownMark {
-    Surface surface = Surface::kPlane;
-    double size = 0.0;  // m; 0: unknown
-  };
-
   void on_detection(const MarkDetection& detection);
 
   std::string method_ = "refined";

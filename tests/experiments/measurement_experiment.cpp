@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "common/bus/options.hpp"
 #include "common/bus/safe_decode.hpp"
 #include "common/geometry/plane_pose.hpp"
 #include "common/robot/arm_kinematics.hpp"
@@ -90,8 +91,13 @@ std::optional<robot::JointVector> hand_beside(const robot::RobotDescription& rob
   return ik.q;
 }
 
+// What the marks look like, as the simulator's setting marks.print numbers it.
+const std::map<std::string, double> kLooks = {
+    {"printed", 0.0}, {"plain", 1.0}, {"faded", 2.0}, {"glossy", 3.0}, {"partly-lit", 4.0}};
+
 std::vector<Sample> take_samples(const ExperimentOptions& options, const robot::RobotDescription& robot,
-                                 const robot::MarkDescription& target, const robot::MarkDescription& hand) {
+                                 const robot::MarkDescription& target, const robot::MarkDescription& hand,
+                                 const std::string& look) {
   Rig rig(options.lcm_url, "");
   Services services(options);
   rig.wait_for_service("mark-detector", services.start("mark-detector"));
@@ -106,7 +112,10 @@ std::vector<Sample> take_samples(const ExperimentOptions& options, const robot::
   std::vector<Sample> samples;
   for (int trial = 0; trial < options.trials; ++trial) {
     for (const auto& place : places) {
-      Rig::Settings settings{{"books.x", place.x}, {"books.y", place.y}, {"books.slant_deg", place.slant_deg}};
+      Rig::Settings settings{{"books.x", place.x},
+                             {"books.y", place.y},
+                             {"books.slant_deg", place.slant_deg},
+                             {"marks.print", kLooks.at(look)}};
       const auto q = hand_beside(robot, target, hand, place, height);
       if (q) {
         settings.emplace_back("arm.start_yaw_deg", geometry::degrees((*q)[0]));
@@ -209,7 +218,7 @@ void print(const char* name, const Errors& errors) {
               1e3 * maximum(errors.relative));
 }
 
-bool experiment(const ExperimentOptions& options) {
+bool experiment(const ExperimentOptions& options, const std::string& look) {
   const robot::RobotDescription robot = robot::load_robot_description(options.robot_file);
   const robot::MarkDescription* target = nullptr;
   const robot::MarkDescription* hand = nullptr;
@@ -220,7 +229,7 @@ bool experiment(const ExperimentOptions& options) {
   if (target == nullptr) throw ConfigurationError(options.robot_file + ": has no target with a grip");
   if (hand == nullptr || !robot.arm) throw ConfigurationError(options.robot_file + ": has no arm with a hand's mark");
 
-  const auto samples = take_samples(options, robot, *target, *hand);
+  const auto samples = take_samples(options, robot, *target, *hand, look);
   const auto with_hand = static_cast<std::size_t>(
       std::count_if(samples.begin(), samples.end(), [](const Sample& sample) { return sample.p_CM.has_value(); }));
   const Services services(options);
@@ -269,6 +278,15 @@ bool experiment(const ExperimentOptions& options) {
 }  // namespace markservo::experiments
 
 int main(int argc, char** argv) {
-  return markservo::experiments::run_experiment("3D error of a mark's centre over a grid, by the simulator's truth", 1,
-                                                argc, argv, markservo::experiments::experiment);
+  using markservo::experiments::ExperimentOptions;
+  std::string look = "printed";
+  return markservo::experiments::run_experiment(
+      "3D error of a mark's centre over a grid, by the simulator's truth", 1, argc, argv,
+      [&](const ExperimentOptions& options) { return markservo::experiments::experiment(options, look); },
+      [&](CLI::App& app) {
+        markservo::bus::Options(app)
+            .option("--marks", look, "What the marks look like")
+            .one_of({"printed", "plain", "faded", "glossy", "partly-lit"})
+            .show_default();
+      });
 }

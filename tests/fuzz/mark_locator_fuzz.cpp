@@ -36,7 +36,8 @@ void check_location(const Location& location, const LocatorParameters& parameter
   require(location.matches.size() <= static_cast<std::size_t>(parameters.features.max_features),
           "there are no more matches than features");
   if (location.status != Status::kLocated) {
-    require(location.p_C.isZero(0.0) && location.covariance.isZero(0.0) && location.normal_C.isZero(0.0),
+    require(location.cue == Cue::kNone && location.p_C.isZero(0.0) && location.covariance.isZero(0.0) &&
+                location.normal_C.isZero(0.0),
             "what is not located has no position");
     return;
   }
@@ -44,8 +45,9 @@ void check_location(const Location& location, const LocatorParameters& parameter
   require(location.p_C.y() > 0.0, "what is located lies in front");
   require(location.covariance.allFinite(), "a covariance is finite");
   require(location.normal_C.isZero(0.0) || std::abs(location.normal_C.norm() - 1.0) < 1e-6, "a normal has length 1");
-  require(location.matches.size() >= static_cast<std::size_t>(parameters.min_matches),
-          "a position has the fewest matches");
+  require(location.cue != Cue::kNone, "a position has a cue");
+  require(location.cue != Cue::kTexture || location.matches.size() >= static_cast<std::size_t>(parameters.min_matches),
+          "a position by texture has the fewest matches");
   for (const Match& match : location.matches) {
     require(std::isfinite(match.u_left) && std::isfinite(match.v_left) && std::isfinite(match.u_right) &&
                 std::isfinite(match.v_right) && std::isfinite(match.residual),

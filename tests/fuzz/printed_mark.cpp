@@ -156,6 +156,10 @@ void print_mark(FuzzedDataProvider& data, bool whole_numbers, PrintedMark& mark)
   mark.observation.surface =
       data.ConsumeIntegralInRange(0, 3) == 3 ? target_locator::Surface::kFree : target_locator::Surface::kPlane;
   mark.observation.size = number(data, 0.0, 0.0, 0.1);
+  if (data.ConsumeIntegralInRange(0, 3) == 3) mark.observation.surface = target_locator::Surface::kBall;
+  const int outline = data.ConsumeIntegralInRange(0, 2);
+  if (outline == 1) mark.observation.outline = target_locator::Outline::kDisc;
+  if (outline == 2) mark.observation.outline = target_locator::Outline::kOther;
 }
 
 }  // namespace markservo::fuzz

@@ -33,8 +33,8 @@ target_locator::MarkObservation observation_of(const mark_detector::Finding& fou
   target_locator::MarkObservation observation;
   observation.left = view_of(found.left);
   observation.right = view_of(found.right);
-  observation.surface =
-      mark.surface == robot::MarkSurface::kFree ? target_locator::Surface::kFree : target_locator::Surface::kPlane;
+  observation.surface = static_cast<target_locator::Surface>(mark.surface);
+  observation.outline = static_cast<target_locator::Outline>(mark.outline);
   observation.size = mark.size;
   return observation;
 }

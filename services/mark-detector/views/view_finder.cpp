@@ -62,16 +62,16 @@ void ViewFinder::make_view(const ImageView& image, robot::MarkSurface surface, c
   RunSpan runs;
   if (chosen) {
     const Blob& blob = list.blobs[*chosen];
-    const bool plane = surface == robot::MarkSurface::kPlane;
+    const bool one_piece = surface != robot::MarkSurface::kFree;
     runs = list.runs_of(blob);
     double area = blob.shape.area;
-    if (!plane) {
+    if (!one_piece) {
       merge(list, merged_);
       runs = merged_;
       area = shape_of(runs).area;
     }
     const auto fraction = static_cast<std::int64_t>(parameters.hole_fraction * area);
-    filler_.fill(runs, plane ? std::max(parameters.noise_hole, fraction) : parameters.noise_hole, filled_);
+    filler_.fill(runs, one_piece ? std::max(parameters.noise_hole, fraction) : parameters.noise_hole, filled_);
     runs = filled_;
     view.shape = shape_of(runs);
     view.clipped = is_clipped(view.shape, image.width, image.height);

@@ -50,6 +50,28 @@ Rgb rgb_from_hsv(double hue_deg, double saturation, double value) {
   return rgb;
 }
 
+// What a look makes of the print.
+struct Inking {
+  double contrast = 1.0;    // of the print's variation
+  double saturation = 1.0;  // of the print's
+  double shade = 1.0;       // of the light in the shadow over a part of the mark
+};
+
+Inking inking_of(MarkLook look) {
+  switch (look) {
+    case MarkLook::kPrinted:
+      break;
+    case MarkLook::kPlain:
+    case MarkLook::kGlossy:
+      return {0.0, 1.0, 1.0};
+    case MarkLook::kFaded:
+      return {0.15, 0.85, 1.0};
+    case MarkLook::kPartlyLit:
+      return {0.0, 1.0, 0.6};
+  }
+  return {};
+}
+
 void check_edge(int edge) {
   if (edge < 16 || edge > 4096) {
     throw std::invalid_argument("texture edge is " + std::to_string(edge) + " px; allowed: 16 to 4096");
@@ -62,8 +84,9 @@ std::uint8_t level(double share) {
 
 }  // namespace
 
-Texture mark_texture(const robot::MarkDescription& mark, const PrintScene& print, int edge) {
+Texture mark_texture(const robot::MarkDescription& mark, const PrintScene& print, int edge, MarkLook look) {
   check_edge(edge);
+  const Inking inking = inking_of(look);
   const std::uint64_t seed = seed_of(mark.name);
   const double sigma = print.grain * edge;
   const cv::Mat1f value_noise = smooth_noise(edge, sigma, seed);
@@ -72,14 +95,18 @@ Texture mark_texture(const robot::MarkDescription& mark, const PrintScene& print
 
   const double width = std::fmod(mark.colour.hue_max_deg - mark.colour.hue_min_deg + 360.0, 360.0);
   const double middle = mark.colour.hue_min_deg + 0.5 * width;
+  // 0..1 about a half, as far apart as the print leaves them.
+  const auto ink = [&inking](float noise) { return 0.5 + inking.contrast * (spread(noise) - 0.5); };
   Texture texture{edge, {}};
   texture.rgb.reserve(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge) * 3);
   for (int row = 0; row < edge; ++row) {
     for (int column = 0; column < edge; ++column) {
-      const double hue = middle + (spread(hue_noise(row, column)) - 0.5) * width * print.hue_share;
-      const Rgb rgb = rgb_from_hsv(hue, between(print.saturation, spread(saturation_noise(row, column))),
-                                   between(print.value, spread(value_noise(row, column))));
-      for (int i = 0; i < 3; ++i) texture.rgb.push_back(level(rgb[i]));
+      const double hue = middle + (ink(hue_noise(row, column)) - 0.5) * width * print.hue_share;
+      const double saturation = inking.saturation * between(print.saturation, ink(saturation_noise(row, column)));
+      const Rgb rgb = rgb_from_hsv(hue, saturation, between(print.value, ink(value_noise(row, column))));
+      // The shadow's border crosses the mark at a slant.
+      const bool shaded = row + column / 2 > edge;
+      for (int i = 0; i < 3; ++i) texture.rgb.push_back(level(rgb[i] * (shaded ? inking.shade : 1.0)));
     }
   }
   return texture;

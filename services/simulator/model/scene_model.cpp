@@ -41,19 +41,29 @@ std::string header(const robot::CameraDescription& cameras, double ambient) {
          grey + "\" diffuse=\"0 0 0\" specular=\"0 0 0\"/></visual>\n";
 }
 
-std::string textured(SceneModel& model, const std::string& name, Texture texture) {
+// How a surface throws light back.
+struct Finish {
+  double specular = 0.0;
+  double shininess = 0.0;
+};
+
+std::string textured(SceneModel& model, const std::string& name, Texture texture, const Finish& finish = {}) {
   const std::string edge = std::to_string(texture.edge);
   model.textures[name] = std::move(texture);
   return "<texture " + named(name) + " type=\"2d\" builtin=\"flat\" rgb1=\"1 1 1\" width=\"" + edge + "\" height=\"" +
-         edge + "\"/><material " + named(name) + " texture=\"" + name + "\" specular=\"0\" shininess=\"0\"/>\n";
+         edge + "\"/><material " + named(name) + " texture=\"" + name + "\" specular=\"" + mjcf(finish.specular) +
+         "\" shininess=\"" + mjcf(finish.shininess) + "\"/>\n";
 }
 
-std::string assets(SceneModel& model, const robot::RobotDescription& robot, const Scene& scene) {
+std::string assets(SceneModel& model, const robot::RobotDescription& robot, const Scene& scene, MarkLook look) {
   constexpr int kPrintEdge_px = 256;
   constexpr int kWallEdge_px = 512;
   std::string out = "<asset>\n<material name=\"matt\" specular=\"0.05\" shininess=\"0.1\"/>\n";
-  for (const auto& mark : robot.marks)
-    out += textured(model, print_name(mark.name), mark_texture(mark, scene.print, kPrintEdge_px));
+  constexpr Finish kGloss{0.6, 0.4};
+  const Finish finish = look == MarkLook::kGlossy ? kGloss : Finish{};
+  for (const auto& mark : robot.marks) {
+    out += textured(model, print_name(mark.name), mark_texture(mark, scene.print, kPrintEdge_px, look), finish);
+  }
   out += textured(model, "wall", surface_texture(scene.room.wall, 0.35, "wall", kWallEdge_px));
   out += textured(model, "floor", surface_texture(scene.room.floor, 0.4, "floor", kWallEdge_px));
   out += textured(model, "wood", surface_texture(kWood, 0.3, "wood", kPrintEdge_px));
@@ -69,7 +79,7 @@ SceneModel write_scene_model(const robot::RobotDescription& robot, const Scene& 
   const std::string carried = camera_pair(robot.cameras) + arm_bodies(robot, arm, settings.gripper);
   SceneModel model;
   model.mjcf = header(robot.cameras, scene.light.ambient);
-  model.mjcf += assets(model, robot, scene);
+  model.mjcf += assets(model, robot, scene, settings.marks.look());
   model.mjcf += "<worldbody>\n" + lamps(scene.light, settings.light.vary, seed) + room_geoms(scene) +
                 furniture_geoms(scene, settings.books) + robot_body(robot, scene.room.floor_z, carried);
   for (const BookScene& book : scene.books.row) model.mjcf += book_body(robot, scene, settings.books, book);

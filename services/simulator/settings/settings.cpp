@@ -26,6 +26,7 @@ void add_part(std::vector<SettingDescription>& all, const Setting<Part> (&declar
 std::vector<SettingDescription> all_parts() {
   std::vector<SettingDescription> all;
   add_part(all, kBooksSettings, &Settings::books);
+  add_part(all, kMarkSettings, &Settings::marks);
   add_part(all, kImageSettings, &Settings::image);
   add_part(all, kLightSettings, &Settings::light);
   add_part(all, kServoSettings, &Settings::servo);

@@ -18,6 +18,7 @@
 #include "services/simulator/cameras/image_settings.hpp"
 #include "services/simulator/cameras/light_settings.hpp"
 #include "services/simulator/faults/fault_settings.hpp"
+#include "services/simulator/marks/mark_settings.hpp"
 #include "services/simulator/readers/reader_settings.hpp"
 #include "services/simulator/scene/books_settings.hpp"
 #include "services/simulator/scene/obstacle_settings.hpp"
@@ -29,6 +30,7 @@ struct Scene;
 
 struct Settings {
   BooksSettings books;
+  MarkSettings marks;
   ObstacleSettings obstacle;
   ImageSettings image;
   LightSettings light;

@@ -24,10 +24,11 @@ std::optional<CentreEstimate> flat_mark_centre(const MarkObservation& observatio
                                                const geometry::StereoCamera& camera, const CentreParameters& parameters,
                                                MarkImages& images, PlaneImage& contrast) {
   const PlaneAlignment& alignment = plane.alignment;
-  const bool known_size = observation.size > 0.0;
+  // Of another shape's size nothing follows for its sides.
+  const double size = observation.outline == Outline::kSquare ? observation.size : 0.0;
+  const bool known_size = size > 0.0;
   const auto see = [&](const View& view, const Mask& mask, const MarkColours& colours, CameraSide side) {
-    return seen_centre({view, mask, colours, side}, alignment.plane, camera, observation.size, parameters.seen,
-                       contrast);
+    return seen_centre({view, mask, colours, side}, alignment.plane, camera, size, parameters.seen, contrast);
   };
   const auto left = see(observation.left, images.left.mask, images.left_colours, CameraSide::kLeft);
   if (known_size && left && left->outlined && plane.views_alike) {

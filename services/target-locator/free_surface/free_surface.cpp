@@ -40,6 +40,7 @@ Location locate_free_surface(const MarkObservation& observation, const geometry:
   location.status = Status::kTooFewMatches;
   if (!centre || static_cast<int>(location.matches.size()) < min_matches) return location;
   location.status = Status::kLocated;
+  location.cue = Cue::kTexture;
   location.p_C = centre->p_C;
   location.covariance = centre->covariance;
   return location;

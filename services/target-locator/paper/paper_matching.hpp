@@ -14,8 +14,10 @@
 namespace markservo::target_locator {
 
 struct PaperParameters {
-  double alpha = 1.0;   // of eq. 4; scales S and changes no minimum
-  double window = 0.5;  // `a` of eq. 3: side of the search window over side of the mark's box
+  double alpha = 1.0;     // of eq. 4; scales S and changes no minimum
+  double window = 0.5;    // `a` of eq. 3: side of the search window over side of the mark's box
+  int outline_reach = 3;  // patch px beyond the mask: corners of the outline of a mark that has no others
+  int min_corners = 3;    // of an outline, that carry a position
 };
 
 // The right point of every feature: the pixel of a window, `window` times the mark's box (paper eq. 3) around where the

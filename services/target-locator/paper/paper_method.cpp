@@ -13,6 +13,7 @@ Location locate_as_in_the_paper(const MarkObservation& observation, const geomet
   location.status = Status::kTooFewMatches;
   if (position.num_points < min_matches) return location;
   location.status = Status::kLocated;
+  location.cue = Cue::kTexture;
   location.p_C = position.p_C;
   location.covariance = position.covariance;
   return location;

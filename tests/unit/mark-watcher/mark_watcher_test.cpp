@@ -20,6 +20,7 @@ TEST(MarkWatcher, SaysWhereEachMarkIsOrWhyItCannotBeTold) {
   pose.num_marks = 3;
   pose.marks.resize(3);
   pose.marks[0].name = "red_book";
+  pose.marks[0].cue = LocatedMark::CUE_OUTLINE;
   pose.marks[0].p_C.y = 0.25;
   pose.marks[1].name = "blue_book";
   pose.marks[1].status = LocatedMark::SEEN_BY_ONE;
@@ -35,9 +36,9 @@ TEST(MarkWatcher, SaysWhereEachMarkIsOrWhyItCannotBeTold) {
   std::filesystem::remove(path);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.output,
-            "red_book x=0.0000 m y=0.2500 m z=0.0000 m\n"
+            "red_book x=0.0000 m y=0.2500 m z=0.0000 m, by its outline\n"
             "blue_book not located: seen by one camera only\n"
-            "hand not located: seen, but too few of its points match\n");
+            "hand not located: seen, but neither its texture nor its outline tells where\n");
 }
 
 }  // namespace

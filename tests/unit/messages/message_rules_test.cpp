@@ -202,6 +202,11 @@ TEST(StateRules, RefuseStatesThatAreNotNumbered) {
   pose.marks[0].status = LocatedMark::INCONSISTENT + 1;
   EXPECT_NE(violation(pose).find("status"), std::string::npos);
   pose.marks[0].status = 0;
+  pose.marks[0].cue = LocatedMark::CUE_CENTROID;
+  EXPECT_EQ(violation(pose), "");
+  pose.marks[0].cue = LocatedMark::CUE_CENTROID + 1;
+  EXPECT_NE(violation(pose).find("cue"), std::string::npos);
+  pose.marks[0].cue = 0;
   pose.marks[0].role = 2;
   EXPECT_NE(violation(pose).find("role"), std::string::npos);
 }

@@ -67,6 +67,7 @@ const std::string& name_of_value(const char* type, const char* field, std::int8_
 TEST(LcmLanguage, NamesTheProjectsStatesAsTheirConstantsAreCalled) {
   EXPECT_EQ(name_of_value("LocatedMark", "role", DetectedMark::ROLE_MANIPULATOR), "ROLE_MANIPULATOR");
   EXPECT_EQ(name_of_value("LocatedMark", "status", LocatedMark::SEEN_BY_ONE), "SEEN_BY_ONE");
+  EXPECT_EQ(name_of_value("LocatedMark", "cue", LocatedMark::CUE_OUTLINE), "CUE_OUTLINE");
   EXPECT_EQ(name_of_value("BaseGoal", "kind", BaseGoal::DRIVE), "DRIVE");
   EXPECT_EQ(name_of_value("BaseGoal", "frame", BaseGoal::ROBOT), "ROBOT");
   EXPECT_EQ(name_of_value("TaskState", "state", TaskState::HOLD_LIFTED), "HOLD_LIFTED");

@@ -99,6 +99,28 @@ TEST_F(RobotFile, WithTheSameMarkTwiceIsRefused) {
   EXPECT_NE(refusal().find("red_book"), std::string::npos);
 }
 
+TEST_F(RobotFile, TellsWhatAMarkIsAndWhatItsOutlineIs) {
+  EXPECT_EQ(load().marks[0].outline, MarkOutline::kSquare);  // where nothing is said
+  change("    surface: plane\n", "    surface: plane\n    outline: disc\n");
+  EXPECT_EQ(load().marks[0].outline, MarkOutline::kDisc);
+  change("outline: disc", "outline: other");
+  EXPECT_EQ(load().marks[0].outline, MarkOutline::kOther);
+  change("    surface: plane\n    outline: other\n", "    surface: ball\n");
+  EXPECT_EQ(load().marks[0].surface, MarkSurface::kBall);
+}
+
+TEST_F(RobotFile, WithAnOutlineThatNoMarkHasIsRefused) {
+  change("    surface: plane\n", "    surface: plane\n    outline: heart\n");
+  EXPECT_NE(refusal().find("'marks[0].outline' is 'heart'; allowed: square or disc or other"), std::string::npos)
+      << refusal();
+}
+
+TEST_F(RobotFile, WithAnOutlineOfWhatIsNoPlaneIsRefused) {
+  change("    surface: plane\n", "    surface: ball\n    outline: square\n");
+  EXPECT_NE(refusal().find("'marks[0].outline'"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("where surface is plane"), std::string::npos) << refusal();
+}
+
 // A name travels in messages and is printed.
 TEST_F(RobotFile, WithANameThatCouldHarmATerminalIsRefused) {
   for (const char* name : {R"("red\e[31m")", R"("red\nbook")", R"("red\0book")", R"("red\u202Ebook")"}) {

@@ -106,6 +106,36 @@ TEST(Rendering, MarksAreDrawnWhereTheTruthProjects) {
   EXPECT_LT(worst_m, 0.0004);
 }
 
+// How bright and how far apart a mark's pixels are, well inside it.
+cv::Scalar deviation_within(World& world, const std::string& name) {
+  const robot::RobotDescription robot = test_robot();
+  const ImagePair images = renderer().render(world);
+  for (const auto& mark : world.truth().marks) {
+    if (mark.name != name) continue;
+    const auto at = geometry::project(robot.cameras.stereo, mark.p_CM);
+    const int half = static_cast<int>(0.3 * robot.find_mark(name)->size * robot.cameras.stereo.fx / mark.p_CM.y());
+    const cv::Rect inside(static_cast<int>(at->u_left) - half, static_cast<int>(at->v) - half, 2 * half, 2 * half);
+    cv::Scalar mean;
+    cv::Scalar deviation;
+    cv::meanStdDev(images.left(inside), mean, deviation);
+    return deviation;
+  }
+  return cv::Scalar::all(NAN);
+}
+
+TEST(Rendering, MarksLookAsTheSettingSays) {
+  const auto red_varies = [](double print) {
+    World world(test_robot(), test_scene(), test_settings({{"marks.print", print}}), 1);
+    return deviation_within(world, "red_book")[2];
+  };
+  const double printed = red_varies(0.0);
+  EXPECT_GT(printed, 15.0);
+  EXPECT_LT(red_varies(1.0), 0.25 * printed);  // plain: what the lamps make of it
+  EXPECT_LT(red_varies(2.0), 0.5 * printed);   // faded
+  EXPECT_GT(red_varies(2.0), red_varies(1.0));
+  EXPECT_GT(red_varies(4.0), 15.0);  // a shadow across it
+}
+
 TEST(Rendering, TheHandsMarkIsDrawnWhereTheTruthProjects) {
   World world(test_robot(), plain_scene(), test_settings(), 1);
   const auto ik = robot::inverse_kinematics(*test_robot().arm, {0.0325, 0.245, -0.02}, 0.0);

@@ -84,7 +84,7 @@ void expect_sane(const Location& location) {
 std::vector<Location> locate_every_way(MarkObservation observation, const geometry::StereoCamera& camera) {
   std::vector<Location> locations;
   for (const Method method : {Method::kRefined, Method::kPaper}) {
-    for (const Surface surface : {Surface::kPlane, Surface::kFree}) {
+    for (const Surface surface : {Surface::kPlane, Surface::kFree, Surface::kBall}) {
       LocatorParameters parameters;
       parameters.method = method;
       observation.surface = surface;

@@ -116,6 +116,7 @@ TEST_F(TargetLocatorOnABus, AnswersADetectionWithOnePoseAndOneSetOfMatches) {
   const LocatedMark& mark = pose.marks[0];
   EXPECT_EQ(mark.name, "red_book");
   EXPECT_EQ(mark.status, LocatedMark::LOCATED);
+  EXPECT_EQ(mark.cue, LocatedMark::CUE_TEXTURE);
   EXPECT_NEAR(mark.p_C.x, scene.centre.x(), 0.2e-3);
   EXPECT_NEAR(mark.p_C.y, scene.centre.y(), 0.2e-3);
   EXPECT_NEAR(mark.p_C.z, scene.centre.z(), 0.2e-3);
@@ -123,6 +124,27 @@ TEST_F(TargetLocatorOnABus, AnswersADetectionWithOnePoseAndOneSetOfMatches) {
   EXPECT_LT(mark.normal_C.y, -0.99);
   EXPECT_EQ(mark.num_features, matches_[0].marks[0].num_matches);
   EXPECT_GT(mark.num_features, 10);
+}
+
+TEST_F(TargetLocatorOnABus, SaysThatAPlainMarkIsMeasuredByItsOutline) {
+  start();
+  test::Scene scene;
+  scene.texture_depth = 0.0;
+  send(detection_of(scene, {"red_book"}));
+  ASSERT_EQ(poses_.size(), 1U);
+  EXPECT_EQ(poses_[0].marks[0].status, LocatedMark::LOCATED);
+  EXPECT_EQ(poses_[0].marks[0].cue, LocatedMark::CUE_OUTLINE);
+  EXPECT_EQ(matches_[0].marks[0].num_matches, poses_[0].marks[0].num_features);
+}
+
+TEST_F(TargetLocatorOnABus, GivesNoCueOfWhatIsNotLocated) {
+  start();
+  MarkDetection detection = detection_of({}, {"red_book"});
+  detection.marks[0].right = MarkView{};
+  send(detection);
+  ASSERT_EQ(poses_.size(), 1U);
+  EXPECT_EQ(poses_[0].marks[0].status, LocatedMark::SEEN_BY_ONE);
+  EXPECT_EQ(poses_[0].marks[0].cue, LocatedMark::CUE_NONE);
 }
 
 TEST_F(TargetLocatorOnABus, AnswersWithoutMarksToo) {
