@@ -13,12 +13,16 @@ constexpr std::uint64_t kScaleStream = 0x51;
 constexpr std::uint64_t kLeftStream = 0x52;
 constexpr std::uint64_t kRightStream = 0x53;
 constexpr std::uint64_t kCounterStream = 0x54;
+constexpr std::uint64_t kWanderStream = 0x55;
 
 // m of way. A share per stretch, not noise per step: the true speed stays smooth and the step size does not matter.
 constexpr double kSlipStretch = 0.10;
 constexpr double kNoiseStretch = 0.02;
+// rad of turning: little of what happens between two rounds of a reader.
+constexpr double kWanderStretch = 0.02;
 
 constexpr double kMostSlip = 0.5;
+constexpr double kMostWander = 0.5;   // m per sqrt(rad)
 constexpr double kWrapWithin = 0.25;  // m of forward way
 
 void require(bool good, const char* what, double value, const char* allowed) {
@@ -61,6 +65,18 @@ double BaseModel::Wheel::roll(double way, const BaseModelParameters& parameters,
   return way * (1.0 - slip_share_ + noise_share_);
 }
 
+Eigen::Vector2d BaseModel::Wander::turn(double turn, double wander_per_sqrt_rad) {
+  turned_ += std::abs(turn);
+  if (wander_per_sqrt_rad == 0.0 || turn == 0.0) return Eigen::Vector2d::Zero();
+  if (turned_ >= until_) {
+    const double sigma = wander_per_sqrt_rad / std::sqrt(kWanderStretch);
+    push_.x() = sigma * bits_.gaussian();
+    push_.y() = sigma * bits_.gaussian();
+    until_ = turned_ + kWanderStretch;
+  }
+  return std::abs(turn) * push_;
+}
+
 std::int64_t BaseModel::Wheel::turned(double tick) const {
   return static_cast<std::int64_t>(std::floor(way_ / tick));
 }
@@ -75,11 +91,14 @@ BaseModel::BaseModel(const robot::BaseDescription& base, const BaseModelParamete
       scale_(1.0 + parameters.scale_sigma * RandomBits(seed_for(seed, kScaleStream, 0)).gaussian()),
       pose_(start),
       left_(seed_for(seed, kLeftStream, 0), first_count(base, seed, 0)),
-      right_(seed_for(seed, kRightStream, 0), first_count(base, seed, 1)) {
+      right_(seed_for(seed, kRightStream, 0), first_count(base, seed, 1)),
+      wander_(seed_for(seed, kWanderStream, 0)) {
   require(parameters.scale_sigma >= 0.0 && parameters.scale_sigma <= 0.2, "scale_sigma", parameters.scale_sigma,
           "0 to 0.2");
   require(parameters.drift >= 0.0 && parameters.drift <= 1.0, "drift", parameters.drift, "0 to 1 rad per sqrt(m)");
   require(parameters.slip >= 0.0 && parameters.slip <= kMostSlip, "slip", parameters.slip, "0 to 0.5");
+  require(parameters.pivot_wander >= 0.0 && parameters.pivot_wander <= kMostWander, "pivot_wander",
+          parameters.pivot_wander, "0 to 0.5 m per sqrt(rad)");
   for (const double value : {start.x, start.y, start.heading}) {
     require(std::isfinite(value), "start pose", value, "finite numbers");
   }
@@ -106,6 +125,9 @@ void BaseModel::step(double dt) {
   const double way = 0.5 * (left + right);
   const double turn = (right - left) / base_.track;
   pose_ = along_arc(pose_, way, turn);
+  const Eigen::Vector2d push = wander_.turn(told_turn, parameters_.pivot_wander);
+  pose_.x += push.x();
+  pose_.y += push.y();
   true_motion_ = {way / dt, turn / dt};
 }
 

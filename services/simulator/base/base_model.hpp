@@ -3,6 +3,7 @@
 // A differential drive on the floor: what its encoders tell and where it really goes. No clock: the caller says how
 // much time passes.
 
+#include <Eigen/Core>
 #include <cstdint>
 
 #include "common/geometry/plane_pose.hpp"
@@ -16,6 +17,7 @@ struct BaseModelParameters {
   double scale_sigma = 0.02;  // standard deviation of one factor for both wheels, drawn once: tyres, load
   double drift = 0.0349;      // rad per sqrt(m): random walk of the heading, 2 degrees after a metre
   double slip = 0.0;          // mean share of a wheel's turning that makes no way, [0, 0.5]
+  double pivot_wander = 0.0;  // m per sqrt(rad), each axis: random walk of the place while the base turns
 };
 
 // Raw counters, from 0 to 2^counter_bits - 1 (all 32 bits of an int32 at counter_bits 32).
@@ -49,6 +51,10 @@ class BaseModel {
   double left_distance() const { return left_.distance(tick_); }    // m since the start, from the ticks
   double right_distance() const { return right_.distance(tick_); }  // m
 
+  // What the noise comes from, both directions added up since the start.
+  double wheel_travel() const { return 0.5 * (left_.travelled() + right_.travelled()); }  // m, of a wheel on average
+  double turned() const { return wander_.turned(); }                                      // rad, as the wheels tell it
+
  private:
   // One wheel; its floor differs from stretch to stretch.
   class Wheel {
@@ -60,6 +66,7 @@ class BaseModel {
     std::int64_t turned(double tick) const;  // whole ticks since the start
     std::int64_t counter(double tick) const { return first_count_ + turned(tick); }
     double distance(double tick) const { return static_cast<double>(turned(tick)) * tick; }
+    double travelled() const { return travelled_; }  // m, both directions added up
 
    private:
     RandomBits bits_;
@@ -70,6 +77,22 @@ class BaseModel {
     double noise_until_ = 0.0;  // m travelled
     double slip_share_ = 0.0;   // of this stretch
     double noise_share_ = 0.0;  // of this stretch
+  };
+
+  // Where castors and tyres push the base while it turns.
+  class Wander {
+   public:
+    explicit Wander(std::uint64_t seed) : bits_(seed) {}
+
+    // m in W, while the base turns by `turn` (rad).
+    Eigen::Vector2d turn(double turn, double wander_per_sqrt_rad);
+    double turned() const { return turned_; }  // rad, both directions added up
+
+   private:
+    RandomBits bits_;
+    double turned_ = 0.0;
+    double until_ = 0.0;                              // rad turned
+    Eigen::Vector2d push_ = Eigen::Vector2d::Zero();  // m per rad, of this stretch
   };
 
   struct Motion {
@@ -87,6 +110,7 @@ class BaseModel {
   geometry::PlanePose pose_;
   Wheel left_;
   Wheel right_;
+  Wander wander_;
   Motion wanted_;       // of the wheels
   Motion wheels_;       // as the encoders measure it
   Motion true_motion_;  // over the last step
