@@ -32,6 +32,7 @@ Localizer::Localizer(const robot::BaseDescription& base, const robot::RfidDescri
       counters_(base),
       wheel_motion_(history_, rfid.p_RF, parameters.wheels),
       free_motion_(rfid.p_RF, parameters.free),
+      judge_(parameters.wheels.noise, parameters.judge),
       motion_(&free_motion_),
       paper_(parameters.paper),
       trust_(parameters.trust) {
@@ -40,6 +41,7 @@ Localizer::Localizer(const robot::BaseDescription& base, const robot::RfidDescri
 
 void Localizer::lose(const std::string& why) {
   mixture_.clear();
+  judge_.restart();
   trust_.lose(why);
   // What was known of the heading at the start is past.
   wheel_motion_.set_heading(std::nullopt);
@@ -72,10 +74,7 @@ void Localizer::observe(const EncoderReading& reading) {
   if (!mixture_.empty() && has_wheels()) {
     // While no round comes the wheels' record would be forgotten before it is used.
     const std::int64_t kept = std::min(reading.utime - WheelHistory::kKept_us, history_.newest());
-    if (kept > mixture_utime_) {
-      motion_->predict(mixture_, mixture_utime_, kept);
-      mixture_utime_ = kept;
-    }
+    if (kept > mixture_utime_) predict_to(kept);
   }
   late_odometry_.passed();
   wheel_session_ = reading.session;
@@ -124,8 +123,7 @@ void Localizer::choose_motion(std::int64_t utime) {
   if (!mixture_.empty()) {
     // What lies before the wheels' record is inertia's still.
     if (wheels && mixture_utime_ < history_.oldest()) {
-      motion_->predict(mixture_, mixture_utime_, history_.oldest());
-      mixture_utime_ = history_.oldest();
+      predict_to(history_.oldest());
     }
     // The place stays known; how the robot moves is learnt anew.
     const Hypothesis all = whole();
@@ -133,6 +131,7 @@ void Localizer::choose_motion(std::int64_t utime) {
     const Place place{view.p_WF, view.H * all.covariance * view.H.transpose()};
     const DelayPrior delay{all.mean[kDelay], std::sqrt(all.covariance(kDelay, kDelay))};
     mixture_ = wanted->start(place, delay);
+    judge_.restart();
     if (wheels) wheel_motion_.set_heading(std::nullopt);
   }
   motion_ = wanted;
@@ -157,6 +156,29 @@ void Localizer::begin(const std::vector<HeardTag>& heard, std::int64_t utime) {
   mixture_utime_ = utime;
   // Later, after turns, it is no longer the heading.
   if (has_wheels()) wheel_motion_.set_heading(std::nullopt);
+}
+
+void Localizer::predict_to(std::int64_t utime) {
+  if (has_wheels() && parameters_.judge_wheels) {
+    StateVector state = whole().mean;
+    history_.replay(mixture_utime_, utime, [&](const WheelMotion& piece) {
+      judge_.moved(state, piece);
+      Hypothesis next;
+      next.mean = state;
+      advance(next, piece, judge_.believed());
+      state = next.mean;
+    });
+  }
+  motion_->predict(mixture_, mixture_utime_, utime);
+  mixture_utime_ = utime;
+}
+
+void Localizer::judge(const Hypothesis& before, const Hypothesis& after, const RoundTime& time) {
+  if (!has_wheels() || !parameters_.judge_wheels) return;
+  AntennaView view = motion_->antenna(before, time.middle, time.length);
+  if (!time.known) view.H.col(kDelay) = -view.velocity;
+  judge_.matched(before, after, view.H);
+  wheel_motion_.set_noise(judge_.believed());
 }
 
 Hypothesis Localizer::whole() const {
@@ -208,8 +230,7 @@ void Localizer::observe(const TagRound& round) {
   if (auto paper = paper_.observe(round.utime, places, speed)) paper_estimate_ = paper;
 
   if (!mixture_.empty() && time.middle > mixture_utime_) {
-    motion_->predict(mixture_, mixture_utime_, time.middle);
-    mixture_utime_ = time.middle;
+    predict_to(time.middle);
     if (position_sigma() > parameters_.hopeless_sigma) lose("too long without a tag of the map");
   }
   if (mixture_.empty()) {
@@ -246,6 +267,7 @@ bool Localizer::match(const std::vector<HeardTag>& heard, const RoundTime& time)
     // Only a round that hears something tells which tags are silent: a reader that hears nothing would unlearn the map.
     if (explained) reliability_.learn(one.tag, one.read, one.inside);
   }
+  judge(whole(), moments(round.mixture, motion_->angle()), time);
   motion_->clean(round.mixture);
   mixture_ = std::move(round.mixture);
   if (reads.empty()) return trust_.follow_silence(round.probability);

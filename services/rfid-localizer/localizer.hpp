@@ -16,6 +16,7 @@
 #include "services/rfid-localizer/tag_map.hpp"
 #include "services/rfid-localizer/tag_reliability.hpp"
 #include "services/rfid-localizer/trust.hpp"
+#include "services/rfid-localizer/wheel_judge.hpp"
 #include "services/rfid-localizer/wheel_motion.hpp"
 
 namespace markservo::rfid_localizer {
@@ -39,6 +40,8 @@ struct LocalizerParameters {
   double survey_sigma = 0.0;  // m, each axis, of the tags' positions in the map
   std::optional<HeadingPrior> start_heading;
   WheelMotionParameters wheels;
+  WheelJudgeParameters judge;
+  bool judge_wheels = true;  // and widen the prediction where they are worse than stated
   FreeMotionParameters free;
   RoundMatchParameters match;
   TagReliabilityParameters reliability;
@@ -96,6 +99,7 @@ class Localizer {
 
   bool has_wheels() const { return motion_ == &wheel_motion_; }
   LocalizerFaults faults() const;
+  WheelJudgement wheel_judgement() const { return judge_.judgement(); }
   const TagReliability& reliability() const { return reliability_; }
 
  private:
@@ -111,6 +115,9 @@ class Localizer {
   void begin(const std::vector<HeardTag>& heard, std::int64_t utime);
   // True if the round ends all trust in the estimate.
   bool match(const std::vector<HeardTag>& heard, const RoundTime& time);
+  // Moves the mixture on to `utime` (us), and what is judged of the wheels with it.
+  void predict_to(std::int64_t utime);
+  void judge(const Hypothesis& before, const Hypothesis& after, const RoundTime& time);
   // Gives up what is believed of the place.
   void lose(const std::string& why);
   // Likewise, and what was known belongs to another time.
@@ -127,6 +134,7 @@ class Localizer {
   WheelHistory history_;
   WheelMotionModel wheel_motion_;
   FreeMotionModel free_motion_;
+  WheelJudge judge_;
   const Motion* motion_;
   PaperMethod paper_;
   std::optional<PaperEstimate> paper_estimate_;

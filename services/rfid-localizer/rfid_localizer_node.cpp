@@ -47,18 +47,14 @@ void RfidLocalizerNode::configure(const std::string& robot_file) {
   if (!robot.floor_tags) {
     throw ConfigurationError(robot_file + ": section 'floor_tags' is missing; allowed: a map of tags");
   }
-  parameters_.delay = {delay_.value_or(robot.rfid->delay), delay_sigma_.value_or(robot.rfid->delay_sigma)};
-  parameters_.survey_sigma = robot.floor_tags->survey_sigma;
-  parameters_.reliability.read_probability = robot.rfid->read_probability;
-  parameters_.paper.delay = parameters_.delay.mean;
+  const TrustParameters told = parameters_.trust;
+  parameters_ = parameters_of(robot, slip_margin_);
+  parameters_.trust = told;
+  if (delay_) parameters_.delay.mean = parameters_.paper.delay = *delay_;
+  if (delay_sigma_) parameters_.delay.sigma = *delay_sigma_;
   if (start_heading_deg_) {
     parameters_.start_heading =
         HeadingPrior{geometry::radians(*start_heading_deg_), geometry::radians(start_heading_sigma_deg_)};
-  }
-  if (robot.base) {
-    parameters_.wheels.noise.track = robot.base->track;
-    parameters_.wheels.noise.drift = slip_margin_ * robot.base->drift;
-    parameters_.wheels.scale_sigma = robot.base->scale_sigma;
   }
   robot_ = robot;
   begin();
@@ -106,6 +102,9 @@ void RfidLocalizerNode::publish(std::int64_t utime, std::int64_t odometry_sessio
 }
 
 void RfidLocalizerNode::tell(const RobotPose& pose) {
+  const WheelJudgement wheels = localizer_->wheel_judgement();
+  const std::string news = wheel_report_.news(wheels);
+  if (!news.empty()) logging::warn("{}", news);
   const char* state = name_of(messages::state_of<LocalisationState>(pose.state));
   const bool changed = told_ != state;
   // Counts that grow with every round would be a stream of their own.
@@ -122,6 +121,8 @@ void RfidLocalizerNode::tell(const RobotPose& pose) {
   add(faults.wrong_windows, "rounds with an impossible window");
   add(faults.late_odometry, "odometry out of order");
   add(faults.tick_jumps, "jumps of the encoders");
+  const std::string worse = describe(wheels);
+  if (!worse.empty()) what += (what.empty() ? "" : "; ") + worse;
   bus_->set_state(state, what);
   if (!changed) return;
   told_ = state;

@@ -10,7 +10,8 @@
 #include "common/bus/service.hpp"
 #include "common/motion/device_trust.hpp"
 #include "common/motion/sole_writer.hpp"
-#include "services/rfid-localizer/localizer.hpp"
+#include "services/rfid-localizer/robot_parameters.hpp"
+#include "services/rfid-localizer/wheel_report.hpp"
 
 namespace markservo::rfid_localizer {
 
@@ -33,7 +34,7 @@ class RfidLocalizerNode : public bus::Service {
   std::optional<double> delay_, delay_sigma_;
   std::optional<double> start_heading_deg_;
   double start_heading_sigma_deg_ = 5.0;
-  double slip_margin_ = 1.3;  // keeps the covariance honest at 5% of slip
+  double slip_margin_ = kSlipMargin;
   robot::RobotDescription robot_;
   LocalizerParameters parameters_;
   std::unique_ptr<Localizer> localizer_;
@@ -42,6 +43,7 @@ class RfidLocalizerNode : public bus::Service {
   bus::Bus* bus_ = nullptr;
   std::optional<bus::Publisher<RobotPose>> poses_;
   std::string told_;
+  WheelReport wheel_report_;
   bus::RepeatTimer tell_timer_{1'000'000};
 };
 

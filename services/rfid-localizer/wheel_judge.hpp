@@ -1,0 +1,85 @@
+#pragma once
+
+// Whether the wheels are as good as robot.yaml states, told from what the tags correct.
+//
+// If the prediction's noise is right, the corrections of the mean are as large, on average, as the covariance shrinks.
+// What they are larger by is the work of noise that nobody stated: least squares over all rounds tell how much each of
+// robot.yaml's numbers has to grow (covariance matching; Mehra, IEEE Trans. Autom. Control 17(5), 1972, section V). The
+// errors that older noise has left are followed through prediction and update, so that a round counts by what it can
+// tell, and the filter's own widening is told apart from what it widens for.
+
+#include <Eigen/Core>
+#include <array>
+
+#include "services/rfid-localizer/hypothesis.hpp"
+#include "services/rfid-localizer/wheel_prediction.hpp"
+
+namespace markservo::rfid_localizer {
+
+struct WheelJudgeParameters {
+  double slip_margin = 1.3;  // that WheelNoise::drift has on robot.yaml's number; what fits has it too
+  // How much a number is worth that was not told by rounds of a prediction that used it, in draws of the noise: what is
+  // stated before the first round, and what fitted when the prediction was still told much less.
+  double worth = 3.0;
+  double drift_unit = 0.0175;    // rad per sqrt(m), of such a draw at the least: 1 degree
+  double wander_unit = 0.02;     // m per sqrt(rad), likewise
+  double certain = 3.0;          // standard deviations above what is stated: then it is wrong
+  double anew = 2.0;             // what fits has grown by this factor: the rounds before were judged wrongly
+  double memory = 500.0;         // draws that count, an hour of driving: floors and loads change
+  double widest_place = 0.10;    // m, standard deviation: a place less well known is no straight edge of a footprint
+  double widest_heading = 0.35;  // rad, standard deviation: nor is a way of which the direction is open
+  double most_drift = 1.0472;    // rad per sqrt(m): robot.yaml's most
+  double most_wander = 0.5;      // m per sqrt(rad): likewise
+};
+
+// One of robot.yaml's numbers, in its unit there, but for rad.
+struct JudgedNumber {
+  double stated = 0.0;
+  double fits = 0.0;       // what the rounds so far say; as stated where they say little
+  bool too_small = false;  // by more than chance and the margin explain
+};
+
+struct WheelJudgement {
+  JudgedNumber drift;         // rad per sqrt(m)
+  JudgedNumber pivot_wander;  // m per sqrt(rad)
+};
+
+class WheelJudge {
+ public:
+  WheelJudge(const WheelNoise& stated, const WheelJudgeParameters& parameters);
+
+  // What the prediction is to use: what is stated, or what fits where that is more and certain.
+  const WheelNoise& believed() const { return believed_; }
+  WheelJudgement judgement() const;
+
+  // The estimate began anew: its covariance owes nothing to the wheels.
+  void restart();
+  // A piece of the way by which believed() predicted, from `state` on.
+  void moved(const StateVector& state, const WheelMotion& motion);
+  // A round took the estimate from `before` to `after`; `H` is the antenna's place by the state.
+  void matched(const Hypothesis& before, const Hypothesis& after, const Eigen::Matrix<double, 2, 5>& H);
+
+ private:
+  static constexpr int kDrift = 0;
+  static constexpr int kWander = 1;
+
+  // Least squares of what the rounds say, and what of it to believe.
+  void solve();
+  // What is known of a number counts as at most so many draws of the noise.
+  void limit(int number, double draws);
+  Eigen::Vector2d unconstrained() const;
+  double least_square(int number) const;  // of what counts as a draw
+
+  WheelNoise stated_;
+  WheelJudgeParameters parameters_;
+  WheelNoise believed_;
+  StateCovariance drift_, wander_;  // what one unit of each number's square has left of errors
+  StateCovariance used_;            // what the prediction allowed for
+  Eigen::Matrix2d information_;     // on the squares of robot.yaml's numbers
+  Eigen::Vector2d evidence_;        // information times the squares
+  Eigen::Vector2d fits_;            // the squares
+  Eigen::Vector2d judged_with_;     // those that the prediction used when their information was limited last
+  std::array<bool, 2> too_small_{};
+};
+
+}  // namespace markservo::rfid_localizer
