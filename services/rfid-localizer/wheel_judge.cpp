@@ -15,13 +15,13 @@ double square(double x) {
 }
 
 // The nearest matrix without eigenvalues below 0: a round that leaves more doubt than it found tells nothing.
-Eigen::Matrix2d nonnegative(const Eigen::Matrix2d& symmetric) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(symmetric);
+Eigen::Matrix2d nonnegative(const Eigen::Matrix2d& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(0.5 * (matrix + matrix.transpose()));
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * solver.eigenvectors().transpose();
 }
 
-double trace_of_product(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b) {
-  return (a * b).trace();
+double trace_of_product(const StateCovariance& symmetric, const StateCovariance& other) {
+  return symmetric.cwiseProduct(other).sum();
 }
 
 }  // namespace
@@ -49,20 +49,21 @@ Eigen::Vector2d WheelJudge::unconstrained() const {
 }
 
 void WheelJudge::restart() {
-  drift_.setZero();
-  wander_.setZero();
-  used_.setZero();
+  sources_.fill(StateCovariance::Zero());
+  slopes_.fill(Slope{});
 }
 
 void WheelJudge::moved(const StateVector& state, const WheelMotion& motion) {
   const StateCovariance F = motion_jacobian(state, motion);
   const NoiseShares shares = noise_shares(state, motion, believed_);
-  const auto carry = [&F](StateCovariance& errors, const StateCovariance& more) {
-    errors = F * errors * F.transpose() + more;
-  };
-  carry(drift_, shares.drift);
-  carry(wander_, shares.pivot_wander);
-  carry(used_, square(believed_.drift) * shares.drift + square(believed_.pivot_wander) * shares.pivot_wander);
+  for (Source& source : sources_) source = F * source * F.transpose();
+  sources_[kDrift] += shares.drift;
+  sources_[kWander] += shares.pivot_wander;
+  sources_[kUsed] += square(believed_.drift) * shares.drift + square(believed_.pivot_wander) * shares.pivot_wander;
+  for (Slope& slope : slopes_) {
+    slope.mean = F * slope.mean;
+    for (StateCovariance& common : slope.common) common = F * common * F.transpose();
+  }
 }
 
 void WheelJudge::matched(const Hypothesis& before, const Hypothesis& after, const Eigen::Matrix<double, 2, 5>& H) {
@@ -75,22 +76,25 @@ void WheelJudge::matched(const Hypothesis& before, const Hypothesis& after, cons
   StateVector change = after.mean - before.mean;
   change[kHeading] = geometry::wrapped(change[kHeading]);
   const Eigen::Matrix2d inverse = S.inverse();
+  // The slope of the round's log likelihood by the antenna's place, and what that slope squared is on average.
   const Eigen::Vector2d g = inverse * H * change;
-  const Eigen::Matrix2d expected = inverse * (S - H * after.covariance * H.transpose()) * inverse;  // of g g^T
-  const Eigen::Matrix2d G = nonnegative(0.5 * (expected + expected.transpose()));
+  const Eigen::Matrix2d G = nonnegative(inverse * (S - H * after.covariance * H.transpose()) * inverse);
+  const StateCovariance HGH = H.transpose() * G * H;
 
-  const Eigen::Matrix2d errors[] = {H * drift_ * H.transpose(), H * wander_ * H.transpose()};
-  const Eigen::Matrix2d used = H * used_ * H.transpose();
-  const Eigen::Matrix2d surplus = g * g.transpose() - expected + G * used * G;
   for (const int i : {kDrift, kWander}) {
-    evidence_[i] += 0.5 * trace_of_product(surplus, errors[i]);
-    for (const int j : {kDrift, kWander}) {
-      information_(i, j) += 0.5 * trace_of_product(G * errors[j] * G, errors[i]);
-    }
+    evidence_[i] += g.dot(H * slopes_[i].mean) + trace_of_product(HGH, slopes_[i].common[kUsed]);
+    for (const int j : {kDrift, kWander}) information_(i, j) += trace_of_product(HGH, slopes_[i].common[j]);
   }
 
-  const StateCovariance left = StateCovariance::Identity() - P * H.transpose() * G * H;
-  for (StateCovariance* one : {&drift_, &wander_, &used_}) *one = left * *one * left.transpose();
+  const StateCovariance left = StateCovariance::Identity() - P * HGH;
+  for (const int i : {kDrift, kWander}) {
+    Slope& slope = slopes_[i];
+    slope.mean = left * (slope.mean + sources_[i] * H.transpose() * g);
+    for (const int j : {kDrift, kWander, kUsed}) {
+      slope.common[j] = left * (slope.common[j] + sources_[j] * HGH * sources_[i]) * left.transpose();
+    }
+  }
+  for (Source& source : sources_) source = left * source * left.transpose();
   solve();
 }
 

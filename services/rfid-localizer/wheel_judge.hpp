@@ -2,11 +2,12 @@
 
 // Whether the wheels are as good as robot.yaml states, told from what the tags correct.
 //
-// If the prediction's noise is right, the corrections of the mean are as large, on average, as the covariance shrinks.
-// What they are larger by is the work of noise that nobody stated: least squares over all rounds tell how much each of
-// robot.yaml's numbers has to grow (covariance matching; Mehra, IEEE Trans. Autom. Control 17(5), 1972, section V). The
-// errors that older noise has left are followed through prediction and update, so that a round counts by what it can
-// tell, and the filter's own widening is told apart from what it widens for.
+// If the prediction's noise is right, a round's correction has nothing to do with those before it. Where the noise is
+// larger than predicted they go the same way: each round leaves a share of the error for the next one (Mehra, IEEE
+// Trans. Autom. Control 15(2), 1970). How a little more of a number's noise would have moved the mean is followed
+// through prediction and update; corrections that agree with it, summed up, are the slope of the likelihood, and how
+// much they must agree for so much noise too many, given what the prediction allowed for, is known: least squares over
+// all rounds tell which number has to grow, and to what.
 
 #include <Eigen/Core>
 #include <array>
@@ -62,6 +63,16 @@ class WheelJudge {
  private:
   static constexpr int kDrift = 0;
   static constexpr int kWander = 1;
+  static constexpr int kUsed = 2;
+
+  // The covariance of the errors that one unit of a noise, or all that was allowed for, has left.
+  using Source = StateCovariance;
+  // By one unit of a number's square.
+  struct Slope {
+    StateVector mean = StateVector::Zero();  // how the estimate's mean changes
+    // What each source's errors have in common with that change.
+    std::array<StateCovariance, 3> common{StateCovariance::Zero(), StateCovariance::Zero(), StateCovariance::Zero()};
+  };
 
   // Least squares of what the rounds say, and what of it to believe.
   void solve();
@@ -73,12 +84,12 @@ class WheelJudge {
   WheelNoise stated_;
   WheelJudgeParameters parameters_;
   WheelNoise believed_;
-  StateCovariance drift_, wander_;  // what one unit of each number's square has left of errors
-  StateCovariance used_;            // what the prediction allowed for
-  Eigen::Matrix2d information_;     // on the squares of robot.yaml's numbers
-  Eigen::Vector2d evidence_;        // information times the squares
-  Eigen::Vector2d fits_;            // the squares
-  Eigen::Vector2d judged_with_;     // those that the prediction used when their information was limited last
+  std::array<Source, 3> sources_;  // drift, wander, and what the prediction allowed for
+  std::array<Slope, 2> slopes_;
+  Eigen::Matrix2d information_;  // on the squares of robot.yaml's numbers
+  Eigen::Vector2d evidence_;     // information times the squares
+  Eigen::Vector2d fits_;         // the squares
+  Eigen::Vector2d judged_with_;  // those that the prediction used when their information was limited last
   std::array<bool, 2> too_small_{};
 };
 

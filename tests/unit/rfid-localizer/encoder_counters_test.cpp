@@ -188,7 +188,7 @@ TEST(EncoderCounters, TheTicksJitterIsNoTurning) {
     turning += motion->turning;
     turn += std::abs(motion->turn);
   }
-  EXPECT_EQ(turning, 0.0);
+  EXPECT_NEAR(turning, 0.0, 1e-12);
   EXPECT_GT(turn, 0.4);
 }
 
