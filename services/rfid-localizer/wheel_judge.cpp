@@ -51,9 +51,20 @@ Eigen::Vector2d WheelJudge::unconstrained() const {
 void WheelJudge::restart() {
   sources_.fill(StateCovariance::Zero());
   slopes_.fill(Slope{});
+  following_ = false;
+}
+
+bool WheelJudge::follow(double place_sigma, double heading_sigma) {
+  const auto within = [&](double factor) {
+    return place_sigma <= factor * parameters_.known_place && heading_sigma <= factor * parameters_.known_heading;
+  };
+  if (following_ && !within(parameters_.no_longer)) restart();
+  if (!following_) following_ = within(1.0);
+  return following_;
 }
 
 void WheelJudge::moved(const StateVector& state, const WheelMotion& motion) {
+  if (!following_) return;
   const StateCovariance F = motion_jacobian(state, motion);
   const NoiseShares shares = noise_shares(state, motion, believed_);
   for (Source& source : sources_) source = F * source * F.transpose();
@@ -69,10 +80,7 @@ void WheelJudge::moved(const StateVector& state, const WheelMotion& motion) {
 void WheelJudge::matched(const Hypothesis& before, const Hypothesis& after, const Eigen::Matrix<double, 2, 5>& H) {
   const StateCovariance& P = before.covariance;
   const Eigen::Matrix2d S = H * P * H.transpose();
-  if (larger_sigma(S) > parameters_.widest_place || P(kHeading, kHeading) > square(parameters_.widest_heading)) {
-    restart();
-    return;
-  }
+  if (!follow(larger_sigma(S), std::sqrt(P(kHeading, kHeading)))) return;
   StateVector change = after.mean - before.mean;
   change[kHeading] = geometry::wrapped(change[kHeading]);
   const Eigen::Matrix2d inverse = S.inverse();
@@ -82,8 +90,12 @@ void WheelJudge::matched(const Hypothesis& before, const Hypothesis& after, cons
   const StateCovariance HGH = H.transpose() * G * H;
 
   for (const int i : {kDrift, kWander}) {
-    evidence_[i] += g.dot(H * slopes_[i].mean) + trace_of_product(HGH, slopes_[i].common[kUsed]);
+    const double spread = std::sqrt(std::max(0.0, trace_of_product(HGH, slopes_[i].common[i])));
+    const double most = parameters_.most_surprise * spread;
+    const double agreement = std::clamp(g.dot(H * slopes_[i].mean), -most, most);
+    evidence_[i] += agreement + trace_of_product(HGH, slopes_[i].common[kUsed]);
     for (const int j : {kDrift, kWander}) information_(i, j) += trace_of_product(HGH, slopes_[i].common[j]);
+    fresh_[i] += trace_of_product(HGH, slopes_[i].common[i]);
   }
 
   const StateCovariance left = StateCovariance::Identity() - P * HGH;
@@ -119,21 +131,29 @@ void WheelJudge::solve() {
   fits_ = fits_.cwiseMin(Eigen::Vector2d(square(parameters_.most_drift), square(parameters_.most_wander)));
 
   const Eigen::Vector2d used(square(stated_.drift), square(stated_.pivot_wander));
+  const Eigen::Vector2d least = used + Eigen::Vector2d(0.0, square(parameters_.least_wander));
   const Eigen::Matrix2d covariance = information_.inverse();
+  Eigen::Vector2d believed = used;
   for (const int i : {kDrift, kWander}) {
-    // Once it is wrong it stays so until what is stated fits.
     const double chance = too_small_[i] ? 0.0 : parameters_.certain * std::sqrt(covariance(i, i));
-    too_small_[i] = fits_[i] > used[i] + chance;
+    too_small_[i] = fits_[i] > std::max(least[i], used[i] + chance);
     limit(i, parameters_.memory);
-    if (!too_small_[i] || fits_[i] < parameters_.anew * judged_with_[i]) continue;
-    judged_with_[i] = fits_[i];
-    limit(i, parameters_.worth);
+    if (!too_small_[i]) continue;
+    const double unit = std::max(judged_with_[i], least_square(i));
+    const double believable = std::min(fits_[i], parameters_.growth * unit);
+    believed[i] = believable;
+    const bool grown = fits_[i] > parameters_.anew * judged_with_[i];
+    if (!grown || 2.0 * fresh_[i] * unit * unit < parameters_.fresh) continue;
+    judged_with_[i] = fits_[i] = believable;
+    for (const int each : {kDrift, kWander}) limit(each, parameters_.worth);
+    evidence_ = information_ * fits_;
+    fresh_.setZero();
   }
   believed_ = stated_;
   if (too_small_[kDrift]) {
-    believed_.drift = std::max(stated_.drift, parameters_.slip_margin * std::sqrt(fits_[kDrift]));
+    believed_.drift = std::max(stated_.drift, parameters_.slip_margin * std::sqrt(believed[kDrift]));
   }
-  if (too_small_[kWander]) believed_.pivot_wander = std::sqrt(fits_[kWander]);
+  if (too_small_[kWander]) believed_.pivot_wander = std::sqrt(believed[kWander]);
 }
 
 WheelJudgement WheelJudge::judgement() const {

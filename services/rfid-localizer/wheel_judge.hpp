@@ -22,15 +22,22 @@ struct WheelJudgeParameters {
   // How much a number is worth that was not told by rounds of a prediction that used it, in draws of the noise: what is
   // stated before the first round, and what fitted when the prediction was still told much less.
   double worth = 3.0;
-  double drift_unit = 0.0175;    // rad per sqrt(m), of such a draw at the least: 1 degree
-  double wander_unit = 0.02;     // m per sqrt(rad), likewise
-  double certain = 3.0;          // standard deviations above what is stated: then it is wrong
-  double anew = 2.0;             // what fits has grown by this factor: the rounds before were judged wrongly
-  double memory = 500.0;         // draws that count, an hour of driving: floors and loads change
-  double widest_place = 0.10;    // m, standard deviation: a place less well known is no straight edge of a footprint
-  double widest_heading = 0.35;  // rad, standard deviation: nor is a way of which the direction is open
-  double most_drift = 1.0472;    // rad per sqrt(m): robot.yaml's most
-  double most_wander = 0.5;      // m per sqrt(rad): likewise
+  double drift_unit = 0.0175;   // rad per sqrt(m), of such a draw at the least: 1 degree
+  double wander_unit = 0.01;    // m per sqrt(rad), likewise
+  double certain = 3.0;         // standard deviations above what is stated: then it is wrong
+  double least_wander = 0.005;  // m per sqrt(rad): less more than stated is lost among the tags
+  double anew = 2.0;            // what fits has grown by this factor: the rounds before were judged wrongly
+  double fresh = 1.0;           // draws between two such steps: what was seen once is no proof of another
+  double growth = 4.0;          // by no more at once: a filter that is told far too little is no good judge
+  double most_surprise = 4.0;   // standard deviations that a round counts: a robot that is pushed is no wheel's fault
+  double memory = 500.0;        // draws that count, an hour of driving: floors and loads change
+  // Standard deviations of an estimate that is one place and one direction, from which on it is judged, and by what
+  // factor they may grow until it is not.
+  double known_place = 0.06;   // m
+  double known_heading = 0.2;  // rad
+  double no_longer = 3.0;
+  double most_drift = 1.0472;  // rad per sqrt(m): robot.yaml's most
+  double most_wander = 0.5;    // m per sqrt(rad): likewise
 };
 
 // One of robot.yaml's numbers, in its unit there, but for rad.
@@ -74,6 +81,8 @@ class WheelJudge {
     std::array<StateCovariance, 3> common{StateCovariance::Zero(), StateCovariance::Zero(), StateCovariance::Zero()};
   };
 
+  // Whether an estimate known so well (m, rad) is judged.
+  bool follow(double place_sigma, double heading_sigma);
   // Least squares of what the rounds say, and what of it to believe.
   void solve();
   // What is known of a number counts as at most so many draws of the noise.
@@ -86,11 +95,13 @@ class WheelJudge {
   WheelNoise believed_;
   std::array<Source, 3> sources_;  // drift, wander, and what the prediction allowed for
   std::array<Slope, 2> slopes_;
-  Eigen::Matrix2d information_;  // on the squares of robot.yaml's numbers
-  Eigen::Vector2d evidence_;     // information times the squares
-  Eigen::Vector2d fits_;         // the squares
+  Eigen::Matrix2d information_;                      // on the squares of robot.yaml's numbers
+  Eigen::Vector2d evidence_;                         // information times the squares
+  Eigen::Vector2d fits_;                             // the squares
+  Eigen::Vector2d fresh_ = Eigen::Vector2d::Zero();  // information since then
   Eigen::Vector2d judged_with_;  // those that the prediction used when their information was limited last
   std::array<bool, 2> too_small_{};
+  bool following_ = false;
 };
 
 }  // namespace markservo::rfid_localizer
