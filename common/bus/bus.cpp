@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "common/bus/clock_tolerance.hpp"
-#include "common/bus/connection.hpp"
 #include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
+#include "common/bus/network.hpp"
 #include "common/bus/session.hpp"
 #include "common/logging/log.hpp"
 #include "common/time/clocks.hpp"
@@ -58,23 +58,23 @@ void subscribe_to(lcm::LCM& lcm, Subscription* subscription) {
 
 Bus::Bus(BusParameters parameters) : parameters_(std::move(parameters)) {
   const BusUrls& urls = parameters_.urls;
-  replaying_ = is_file(urls.in) && urls.in.find("mode=w") == std::string::npos;
+  network_ =
+      std::make_unique<Network>(urls, parameters_.waits_for_network, [this](lcm::LCM& lcm) { subscribe_all(lcm); });
   session_ = random_session();
   if (parameters_.source) session_ = source_session(parameters_.service_name);
-  if (replaying_) session_ = replay_session(file_path(urls.in), parameters_.service_name);
-  in_ = std::make_shared<Connection>(urls.in, [this](lcm::LCM& lcm) { subscribe_all(lcm); });
-  out_ = urls.out == urls.in ? in_ : std::make_shared<Connection>(urls.out, nullptr);
+  if (replaying()) session_ = replay_session(file_path(urls.in), parameters_.service_name);
   const bool speaks = parameters_.heartbeat && !is_file(urls.out);
-  if (speaks && in_ == out_ && is_udpm(urls.in)) {
+  if (speaks && network_->returns_heartbeats()) {
     SubscriptionHost* host = this;  // a private base: only here is the conversion allowed
-    echo_ = std::make_unique<Echo>(host, full_channel(channels::kServiceStatus.name));
+    network_->hear_itself_by(std::make_unique<Echo>(host, full_channel(channels::kServiceStatus.name)));
   }
-  open();
+  network_->open();
+  look_after_health();
   if (speaks) {
     status_publisher_ = std::make_unique<Publisher<ServiceStatus>>(advertise(channels::kServiceStatus));
     every(kHeartbeat, [this] {
       publish_status();
-      if (out_->is_open()) ++heartbeats_unheard_;
+      network_->note_heartbeat();
     });
   }
   note_end_signals();
@@ -87,12 +87,12 @@ std::string Bus::full_channel(const std::string& channel) const {
 }
 
 void Bus::attach(std::unique_ptr<Subscription> subscription) {
-  if (lcm::LCM* lcm = in_->lcm()) subscribe_to(*lcm, subscription.get());
+  if (lcm::LCM* lcm = network_->in().lcm()) subscribe_to(*lcm, subscription.get());
   subscriptions_.push_back(std::move(subscription));
 }
 
 void Bus::subscribe_all(lcm::LCM& lcm) {
-  if (echo_) subscribe_to(lcm, echo_.get());
+  if (Subscription* echo = network_->echo()) subscribe_to(lcm, echo);
   for (const auto& subscription : subscriptions_) subscribe_to(lcm, subscription.get());
 }
 
@@ -106,69 +106,55 @@ bool Bus::publish_raw(const std::string& channel, const void* data, std::size_t 
 }
 
 bool Bus::send(const std::string& full_channel, const void* data, std::size_t size) {
-  if (out_->publish(full_channel, data, size, steady_clock::now())) return true;
+  Connection& out = network_->out();
+  if (out.publish(full_channel, data, size, steady_clock::now())) return true;
   // A network comes back. A log that cannot be written is a failure, and a tool does not wait.
-  if (is_file(out_->url()) || !parameters_.waits_for_network) {
+  if (is_file(out.url()) || !parameters_.waits_for_network) {
     throw std::runtime_error("publish on " + full_channel +
-                             ": the bus refused the message: " + out_->refused_sends(steady_clock::now()).reason);
+                             ": the bus refused the message: " + out.refused_sends(steady_clock::now()).reason);
   }
   return false;
 }
 
 void Bus::every(milliseconds period, std::function<void()> task) {
-  timers_.push_back({period, steady_clock::now() + period, std::move(task)});
+  timers_.add(period, std::move(task), steady_clock::now());
 }
 
 int Bus::descriptor() const {
-  return in_->descriptor();
+  return network_->in().descriptor();
 }
 
 milliseconds Bus::until_next_timer(milliseconds limit) const {
-  milliseconds wait = limit;
-  if (replaying_) return wait;
-  const auto now = steady_clock::now();
-  for (const auto& timer : timers_) {
-    wait = std::min(wait, std::chrono::ceil<milliseconds>(std::max(timer.due - now, steady_clock::duration::zero())));
-  }
-  return wait;
+  return replaying() ? limit : timers_.until_next(limit, steady_clock::now());
 }
 
 void Bus::run_timers() {
-  if (replaying_) return;
-  const auto now = steady_clock::now();
-  for (auto& timer : timers_) {
-    if (timer.due > now) continue;
-    timer.due = now + timer.period;
-    try {
-      timer.task();
-    } catch (const std::exception& error) {
-      complain("timer", error.what());
-    }
-  }
+  if (!replaying()) timers_.run(steady_clock::now(), [this](const char* what) { complain("timer", what); });
 }
 
 bool Bus::poll(milliseconds timeout) {
   if (stopped_ || told_to_end()) return false;
-  if (!replaying_) mend_network();
+  if (!replaying()) network_->mend(steady_clock::now());
   if (!handle_incoming(timeout)) return false;
   for (const auto& subscription : subscriptions_) subscription->dispatch();
   run_timers();
-  if (!replaying_) look_after_health();
+  if (!replaying()) look_after_health();
   return !stopped_ && !told_to_end();
 }
 
 bool Bus::handle_incoming(milliseconds timeout) {
   const milliseconds wait = until_next_timer(timeout);
-  if (in_->lcm() == nullptr) {
+  Connection& in = network_->in();
+  if (in.lcm() == nullptr) {
     std::this_thread::sleep_for(std::min(wait, kNoBusNap));
     return true;
   }
   errno = 0;
-  int handled = in_->handle(wait);
-  if (handled < 0 && (replaying_ || told_to_end())) return false;  // the end of the log, or told to stop
-  if (handled < 0 && errno != EINTR) lose_input("it cannot be read any more");
-  if (!replaying_) {
-    for (int count = 1; handled > 0 && count < kMaxDrain; ++count) handled = in_->handle(milliseconds(0));
+  int handled = in.handle(wait);
+  if (handled < 0 && (replaying() || told_to_end())) return false;  // the end of the log, or told to stop
+  if (handled < 0 && errno != EINTR) network_->lose_input("it cannot be read any more", steady_clock::now());
+  if (!replaying()) {
+    for (int count = 1; handled > 0 && count < kMaxDrain; ++count) handled = in.handle(milliseconds(0));
   }
   return true;
 }
@@ -181,7 +167,7 @@ ServiceStatus Bus::status() const {
   status.pid = getpid();
   status.version = MARKSERVO_VERSION;
   status.config_hash = parameters_.config_hash;
-  const Word told = told_word(own_, word_of_network(), word_of_inputs());
+  const Health told = told_health(health_.own(), network_health(), inputs_health());
   status.state = told.state;
   status.reason = told.reason;
   add_counters("", status);
@@ -213,12 +199,20 @@ void Bus::report_also(const Bus& other, std::string prefix) {
   reported_also_.emplace_back(&other, std::move(prefix));
 }
 
+bool Bus::replaying() const {
+  return network_->replaying();
+}
+
+void Bus::note_traffic() {
+  network_->note_traffic();
+}
+
 bool Bus::note_utime(std::int64_t utime) {
   return time_line_.observe(utime);
 }
 
 double Bus::ahead_of_clock(std::int64_t utime) const {
-  if (replaying_) return 0.0;
+  if (replaying()) return 0.0;
   const std::int64_t ahead = utime - wall_clock_us();
   return ahead > kClockTolerance_us ? 1e-6 * static_cast<double>(ahead) : 0.0;
 }

@@ -28,8 +28,10 @@
 #include "common/bus/health.hpp"
 #include "common/bus/publisher.hpp"
 #include "common/bus/raw_subscription.hpp"
+#include "common/bus/service_health.hpp"
 #include "common/bus/subscription.hpp"
 #include "common/bus/time_line.hpp"
+#include "common/bus/timers.hpp"
 
 namespace lcm {
 class LCM;
@@ -40,7 +42,7 @@ class ServiceStatus;
 
 namespace markservo::bus {
 
-class Connection;
+class Network;
 
 // How long a channel that is needed may be silent, s: above the pauses of a busy machine and of a service that is
 // restarted, and well below the 5 s after which nobody may call a deaf service ready.
@@ -100,11 +102,12 @@ class Bus final : private SubscriptionHost, private MessageSink {
   // this.
   void report_also(const Bus& other, std::string prefix);
 
-  // The service's own word for how it is; published at once when it changes. While the bus knows of something that
-  // keeps the service from its work (need(), the network), SERVICE_STATUS says that, and the own word again afterwards.
+  // How the service says it is; published at once when that changes. While the bus knows of something that keeps the
+  // service from its work (need(), the network), SERVICE_STATUS says that, and the service's own state again
+  // afterwards.
   void set_state(const std::string& state, const std::string& reason = {});
-  // The own word.
-  const std::string& state() const { return own_.state; }
+  // The service's own.
+  const std::string& state() const { return health_.own().state; }
 
   // Handles what comes within `timeout`, then the timers. False once the service shall end: SIGINT, SIGTERM, stop(), or
   // the end of the log.
@@ -121,7 +124,7 @@ class Bus final : private SubscriptionHost, private MessageSink {
   // The newest utime on any subscribed channel, us: what "now" means to the algorithms; 0 before the first message.
   std::int64_t newest_utime() const override { return time_line_.newest(); }
   // Nothing is live about a log.
-  bool replaying() const override { return replaying_; }
+  bool replaying() const override;
   std::int64_t session() const { return session_; }
   const BusUrls& urls() const { return parameters_.urls; }
   // The prefix of all channels, empty for none.
@@ -132,27 +135,6 @@ class Bus final : private SubscriptionHost, private MessageSink {
   ServiceStatus status() const;
 
  private:
-  struct Timer {
-    std::chrono::milliseconds period;
-    std::chrono::steady_clock::time_point due;
-    std::function<void()> task;
-  };
-
-  struct Need {
-    const Subscription* subscription;
-    double within;  // s
-  };
-
-  // Logs a trouble once when it begins, and gives how long it lasted when it is over.
-  struct TroubleLog {
-    std::optional<std::chrono::steady_clock::time_point> since;
-    bool is_told = false;
-
-    // Nothing is told before it has lasted for `patience`. The duration, s, of one that was told and is over.
-    std::optional<double> follow(const std::optional<Word>& trouble, std::chrono::seconds patience,
-                                 std::chrono::steady_clock::time_point now);
-  };
-
   template <class M>
   void subscribe(const channels::Channel<M>& channel, Delivery delivery,
                  typename TypedSubscription<M>::Handler handler) {
@@ -165,15 +147,11 @@ class Bus final : private SubscriptionHost, private MessageSink {
   std::string full_channel(const std::string& channel) const;
   bool send(const std::string& full_channel, const void* data, std::size_t size) override;
   void subscribe_all(lcm::LCM& lcm);
-  void open();
-  void mend_network();
   bool handle_incoming(std::chrono::milliseconds timeout);
-  void lose_input(const std::string& why);
   void look_after_health();
-  void tell(const Word& word);
-  void log_trouble(const std::optional<Word>& network, const std::optional<Word>& inputs);
-  std::optional<Word> word_of_network() const;
-  std::optional<Word> word_of_inputs() const;
+  void tell(const Health& health);
+  std::optional<Health> network_health() const;
+  std::optional<Health> inputs_health() const;
   void add_counters(const std::string& prefix, ServiceStatus& status) const;
   void publish_status();
   void run_timers();
@@ -185,23 +163,15 @@ class Bus final : private SubscriptionHost, private MessageSink {
   void complain(const std::string& channel, const std::string& what) override;
 
   BusParameters parameters_;
-  bool replaying_ = false;
+  std::unique_ptr<Network> network_;
   std::int64_t session_ = 0;
-  std::shared_ptr<Connection> in_;
-  std::shared_ptr<Connection> out_;  // the same where one URL serves both
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
   std::vector<std::string> advertised_;
-  std::unique_ptr<Subscription> echo_;  // SERVICE_STATUS, this service's own among them: heard unless the bus is deaf
-  std::vector<Need> needs_;
   std::vector<std::pair<const Bus*, std::string>> reported_also_;  // with their channels' prefix
-  std::vector<Timer> timers_;
+  Timers timers_;
   std::unique_ptr<Publisher<ServiceStatus>> status_publisher_;
-  Word own_{kStarting, {}};
-  Word told_{kStarting, {}};
-  TroubleLog network_log_;
-  TroubleLog input_log_;
+  ServiceHealth health_;
   TimeLine time_line_;
-  int heartbeats_unheard_ = 0;  // sent since anything was heard
   bool stopped_ = false;
   std::map<std::string, std::chrono::steady_clock::time_point> last_complaint_;
 };

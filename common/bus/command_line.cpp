@@ -7,6 +7,7 @@
 #include "common/bus/exit_code.hpp"
 #include "common/bus/option_checks.hpp"
 #include "common/text/text.hpp"
+#include "common/text/typed_command.hpp"
 
 namespace markservo::bus {
 namespace {
@@ -41,13 +42,17 @@ CLI::App& CommandLine::add_command(const std::string& name, const std::string& w
 
 std::optional<int> CommandLine::parse(int argc, const char* const* argv) {
   require_decimal_numbers(*app_);
+  const text::TypedCommand typed(argc > 0 ? argv[0] : "");
+  const std::string name = typed.name_or(name_);
+  const std::string call = typed.call_or(name_);
+  if (!call.empty()) app_->name(call);
   try {
     app_->parse(argc, argv);
   } catch (const CLI::Success& request) {
     return app_->exit(request);
   } catch (const CLI::Error& error) {
     const std::string what = text::printable(one_line(error.what()));
-    std::cerr << name_ << (name_.empty() ? "" : ": ") << what << "; see " << name_ << (name_.empty() ? "" : " ")
+    std::cerr << name << (name.empty() ? "" : ": ") << what << "; see " << call << (call.empty() ? "" : " ")
               << "--help\n";
     return kExitBadConfiguration;
   }

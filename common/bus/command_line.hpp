@@ -13,7 +13,8 @@ namespace markservo::bus {
 
 class CommandLine {
  public:
-  // `name`: of the executable, for --help and errors; empty: as it was called. `description`: for --help.
+  // `name`: of the executable, for --help and errors, where no command was typed that runs it (text::TypedCommand);
+  // empty: as it was called. `description`: for --help.
   CommandLine(const std::string& name, const std::string& description);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;

@@ -42,7 +42,7 @@ class Connection {
   // The bus is read no more, or hears nothing: mend() opens it anew.
   void lose(const std::string& why, Time now);
 
-  // False counts the message as refused; it is not kept. Whatever is sent next is tried again.
+  // False if the network refuses the message, which is counted; it is not kept. Whatever is sent next is tried again.
   bool publish(const std::string& channel, const void* data, std::size_t size, Time now);
 
   // As lcm::LCM::handleTimeout(): above 0 if a message was handled, below when it cannot be read.

@@ -8,16 +8,17 @@
 
 namespace markservo::bus {
 
-struct Word {
+// How a service is: SERVICE_STATUS's state and reason.
+struct Health {
   std::string state;
-  std::string reason;
+  std::string reason;  // for people
 };
 
-inline bool operator==(const Word& a, const Word& b) {
+inline bool operator==(const Health& a, const Health& b) {
   return a.state == b.state && a.reason == b.reason;
 }
 
-// The states in which a service cannot do its work; every other word counts as ready.
+// The states in which a service cannot do its work; every other one counts as ready.
 inline constexpr const char* kStarting = "starting";  // it has said nothing of itself yet
 inline constexpr const char* kWaiting = "waiting";    // for what it never had, or for its network
 inline constexpr const char* kStale = "stale";        // what it works on has stopped coming
@@ -31,12 +32,12 @@ struct NeededInput {
   std::string refusal;                 // why that was refused
 };
 
-// The first need that is not met, as a word; nothing if all are. What was refused a moment ago and not accepted counts
-// as not there, and the reason says why it was refused.
-std::optional<Word> word_about(const std::vector<NeededInput>& inputs);
+// Of a service that needs `inputs`, by the first that is missing; nothing if none is. What was refused a moment ago and
+// not accepted counts as missing, and the reason says why it was refused.
+std::optional<Health> health_of(const std::vector<NeededInput>& inputs);
 
-// What is to be told: the bus's word before the service's own, but for one that says itself that it cannot work and
-// why. The own word is told again as soon as the bus has none.
-Word told_word(const Word& own, const std::optional<Word>& of_network, const std::optional<Word>& of_inputs);
+// What is to be told: what the bus knows before what the service says of itself, unless that says that it cannot work
+// and why. The service's own is told again as soon as the bus has nothing to say.
+Health told_health(const Health& own, const std::optional<Health>& of_network, const std::optional<Health>& of_inputs);
 
 }  // namespace markservo::bus

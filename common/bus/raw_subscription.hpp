@@ -31,7 +31,7 @@ class RawSubscription final : public Subscription {
     }
   }
 
-  // All is done on arrival.
+  // Nothing is left to be done: receive() has passed the message on.
   void dispatch() override {}
 
  private:

@@ -1,19 +1,17 @@
 #include "common/bus/safe_decode.hpp"
 
+#include <fmt/format.h>
 #include <lcm/lcm_coretypes.h>
 
-#include <cinttypes>
-#include <cstdio>
+#include <cstdint>
 #include <limits>
 
 namespace markservo::bus {
 
 std::string other_version_text(const char* type, std::int64_t theirs, std::int64_t ours) {
-  char fingerprints[64];
-  std::snprintf(fingerprints, sizeof fingerprints, "0x%016" PRIx64 ", here it is 0x%016" PRIx64,
-                static_cast<std::uint64_t>(theirs), static_cast<std::uint64_t>(ours));
-  return std::string("message is of another version of ") + type + " or of another type: its fingerprint is " +
-         fingerprints;
+  return fmt::format(
+      "message is of another version of {} or of another type: its fingerprint is 0x{:016x}, here it is 0x{:016x}",
+      type, static_cast<std::uint64_t>(theirs), static_cast<std::uint64_t>(ours));
 }
 
 std::string why_not_of(const char* type, std::int64_t ours, const void* data, std::size_t size) {

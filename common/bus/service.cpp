@@ -14,6 +14,7 @@
 #include "common/bus/session.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/text/text.hpp"
+#include "common/text/typed_command.hpp"
 
 namespace markservo::bus {
 namespace {
@@ -70,10 +71,6 @@ int list_channels(const ServiceInfo& info, Service& service) {
   return kExitStopped;
 }
 
-void complain(const ServiceInfo& info, const std::string& what) {
-  std::cerr << info.name << ": " << text::printable(what) << "\n";
-}
-
 int serve(const ServiceInfo& info, Service& service, const CommandLine& command_line, const CommonOptions& options) {
   if (options.print_config) {
     std::cout << command_line.explained_settings();
@@ -125,17 +122,19 @@ int run_service(const ServiceInfo& info, Service& service, int argc, char** argv
   if (const auto exit_code = command_line.parse(argc, argv)) return *exit_code;
   // Standard output belongs to what a person asked for (JSON, settings).
   set_up_log(info.name, options.log_level);
+  const std::string name = text::TypedCommand(argc > 0 ? argv[0] : "").name_or(info.name);
+  const auto complain = [&name](const std::exception& error, int code) {
+    std::cerr << name << ": " << text::printable(error.what()) << "\n";
+    return code;
+  };
   try {
     return serve(info, service, command_line, options);
   } catch (const ConfigurationError& error) {
-    complain(info, error.what());
-    return kExitBadConfiguration;
+    return complain(error, kExitBadConfiguration);
   } catch (const BusUnavailable& error) {
-    complain(info, error.what());
-    return kExitBusUnavailable;
+    return complain(error, kExitBusUnavailable);
   } catch (const std::exception& error) {
-    complain(info, error.what());
-    return kExitFailed;
+    return complain(error, kExitFailed);
   }
 }
 

@@ -43,7 +43,7 @@ class Service {
   // Subscribes and advertises. Throws ConfigurationError.
   virtual void start(Bus& bus) = 0;
 
-  // Until the bus says stop; a service with a loop of its own calls bus.poll() in it.
+  // Runs until the bus says stop; a service with a loop of its own calls bus.poll() in it.
   virtual void run(Bus& bus) { bus.spin(); }
 };
 

@@ -1,15 +1,13 @@
 #include "common/bus/subscription.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace markservo::bus {
 namespace {
 
 // "3600 s" or "0.25 s": as coarse as it may be told again and again.
 std::string ahead_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, seconds < 10.0 ? "%.2g s" : "%.0f s", seconds);
-  return text;
+  return seconds < 10.0 ? fmt::format("{:.2g} s", seconds) : fmt::format("{:.0f} s", seconds);
 }
 
 }  // namespace

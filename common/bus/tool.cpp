@@ -9,6 +9,7 @@
 #include "common/bus/exit_code.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/text/text.hpp"
+#include "common/text/typed_command.hpp"
 
 namespace markservo::bus {
 
@@ -25,8 +26,9 @@ void add_live_bus_option(CLI::App& app, std::string& url) {
 
 int run_tool(const ToolInfo& info, int argc, char** argv, const std::function<void(CLI::App& app)>& add_options,
              const std::function<int()>& run) {
-  const auto complain = [&info](const std::exception& error, int code) {
-    std::cerr << info.name << ": " << text::printable(error.what()) << std::endl;
+  const std::string name = text::TypedCommand(argc > 0 ? argv[0] : "").name_or(info.name);
+  const auto complain = [&name](const std::exception& error, int code) {
+    std::cerr << name << ": " << text::printable(error.what()) << std::endl;
     return code;
   };
   CommandLine command_line(info.name, info.description);

@@ -39,7 +39,7 @@ bool is_for_many(const std::string& channel) {
   return entry != nullptr && entry->second == channels::Second::kAllowed;
 }
 
-void Census::hear(const Heard& message) {
+void Census::observe(const Heard& message) {
   const bool known = message.session && known_sessions_.count(*message.session) > 0;
   if (!has_room(channels_.size(), kMaxChannels, known) && channels_.count(message.channel) == 0) return;
   ChannelTally& tally = channels_[message.channel];
@@ -80,7 +80,7 @@ void Census::note_other_version(ChannelTally* tally, const Heard& message) {
   tally->other_versions.push_back({version.type, version.our_hash, message.hash, version.session, std::string(), 1});
 }
 
-void Census::know(const KnownProcesses& known) {
+void Census::observe(const KnownProcesses& known) {
   known_ = known;
   known_sessions_.clear();
   for (const auto& [process, tally] : services_) {
@@ -88,7 +88,7 @@ void Census::know(const KnownProcesses& known) {
   }
 }
 
-void Census::hear(const ServiceWord& word, std::int64_t utime) {
+void Census::observe(const ServiceWord& word, std::int64_t utime) {
   const Process process{word.robot, word.name, word.host, word.pid, word.session};
   const bool known = known_.have(word);
   if (!has_room(services_.size(), kMaxServices, known) && services_.count(process) == 0) return;

@@ -136,12 +136,12 @@ class Census {
   // `utime`: us, when listening began by this host's wall clock; what came before is not counted.
   explicit Census(std::int64_t utime) : begin_us_(utime) {}
 
-  void hear(const Heard& message);
+  void observe(const Heard& message);
   // From now on these are known: what they say and write finds room whatever others send under other names, and where
   // two processes claim one session it is theirs.
-  void know(const KnownProcesses& known);
-  // A SERVICE_STATUS; the same message goes to hear(Heard) too. `utime`: us, when it came.
-  void hear(const ServiceWord& word, std::int64_t utime);
+  void observe(const KnownProcesses& known);
+  // A SERVICE_STATUS; the same message goes to observe(Heard) too. `utime`: us, when it came.
+  void observe(const ServiceWord& word, std::int64_t utime);
 
   // `utime`: us, when listening ended.
   Report report(std::int64_t utime) const;

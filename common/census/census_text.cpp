@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -177,6 +178,14 @@ std::string table_of(const Report& report) {
   std::string text = "heard in " + number(report.listened_s) + " s:\n";
   if (report.services.empty() && report.channels.empty()) return text + "nobody\n";
   return text + aligned(services) + "\n" + aligned(channels);
+}
+
+std::optional<std::int64_t> session_of(const std::string& text) {
+  constexpr std::size_t kMostDigits = 16;
+  const std::string digits = text.substr(0, 2) == "0x" ? text.substr(2) : "";
+  if (digits.empty() || digits.size() > kMostDigits) return std::nullopt;
+  if (digits.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) return std::nullopt;
+  return static_cast<std::int64_t>(std::stoull(digits, nullptr, 16));
 }
 
 }  // namespace markservo::census

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "common/census/census.hpp"
@@ -13,6 +15,9 @@ nlohmann::ordered_json json_of(const Report& report);
 
 // One service's word as --follow prints it: {"robot", "name", "host", "pid", "session", "state", "reason", "ready"}.
 nlohmann::ordered_json json_of(const ServiceWord& word);
+
+// A session from that text, "0x" and 1 to 16 hexadecimal digits; nothing for any other.
+std::optional<std::int64_t> session_of(const std::string& text);
 
 // Both as tables for a person, a line each, without control characters.
 std::string table_of(const Report& report);

@@ -5,15 +5,9 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "common/geometry/degrees.hpp"
+
 namespace markservo::geometry {
-
-inline constexpr double radians(double degrees) {
-  return degrees * M_PI / 180.0;
-}
-
-inline constexpr double degrees(double radians) {
-  return radians * 180.0 / M_PI;
-}
 
 // rad, the same direction within -pi to pi.
 inline double wrapped(double angle) {

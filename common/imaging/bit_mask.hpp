@@ -17,9 +17,9 @@ class BitMask {
   static constexpr int kWordBits = 64;
 
   BitMask() = default;
-  // All clear. Sizes of 0 or more.
+  // A mask with all pixels clear. Sizes of 0 or more.
   BitMask(int width, int height) { reset(width, height); }
-  // All clear, of that size; memory is kept, and only rows in use are cleared when the size is the same.
+  // Clears all pixels and takes that size; memory is kept, and only rows in use are cleared when the size is the same.
   void reset(int width, int height);
 
   int width() const { return width_; }

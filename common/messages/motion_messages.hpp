@@ -30,7 +30,7 @@ motion::Stamp stamp_of(const M& message) {
   return {message.session, message.seq, message.utime, content_of(message)};
 }
 
-// Likewise of a JOINT_COMMAND: its age is that of the picture that it answers.
+// The stamp of a JOINT_COMMAND: its age is that of the picture that it answers.
 template <class M>
 motion::Stamp command_stamp(const M& command) {
   return {command.session, command.seq, command.frame_utime, content_of(command)};

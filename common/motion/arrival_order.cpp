@@ -6,13 +6,13 @@
 
 namespace markservo::motion {
 
-Arrival ArrivalOrder::judge(const Stamp& stamp) {
-  if (empty_) return take(stamp, Arrival::kNext);
+Arrival ArrivalOrder::hear(const Stamp& stamp) {
+  if (empty_) return accept(stamp, Arrival::kNext);
   const bool number_grew = stamp.seq > last_.seq;
   if (stamp.utime > last_.utime && !number_grew) return out_of_turn(stamp, Arrival::kDouble);
-  if (number_grew && stamp.utime >= last_.utime) return take(stamp, Arrival::kNext);
+  if (number_grew && stamp.utime >= last_.utime) return accept(stamp, Arrival::kNext);
   const bool far_back = seconds_between(stamp.utime, last_.utime) > parameters_.clock_step;
-  if (far_back) return number_grew ? take(stamp, Arrival::kAnew) : Arrival::kLate;
+  if (far_back) return number_grew ? accept(stamp, Arrival::kAnew) : Arrival::kLate;
   return out_of_turn(stamp, taken_otherwise(stamp) ? Arrival::kDouble : Arrival::kLate);
 }
 
@@ -20,7 +20,7 @@ Arrival ArrivalOrder::out_of_turn(const Stamp& stamp, Arrival verdict) {
   const bool goes_on = run_ > 0 && stamp.seq > run_last_.seq && stamp.utime > run_last_.utime;
   run_ = goes_on ? run_ + 1 : 1;
   run_last_ = stamp;
-  return run_ >= parameters_.run ? take(stamp, Arrival::kAnew) : verdict;
+  return run_ >= parameters_.run ? accept(stamp, Arrival::kAnew) : verdict;
 }
 
 bool ArrivalOrder::taken_otherwise(const Stamp& stamp) const {
@@ -30,7 +30,7 @@ bool ArrivalOrder::taken_otherwise(const Stamp& stamp) const {
   });
 }
 
-Arrival ArrivalOrder::take(const Stamp& stamp, Arrival arrival) {
+Arrival ArrivalOrder::accept(const Stamp& stamp, Arrival arrival) {
   if (arrival == Arrival::kAnew) taken_.clear();
   taken_.push_back(stamp);
   if (taken_.size() > kTaken) taken_.pop_front();

@@ -38,7 +38,7 @@ class ArrivalOrder {
  public:
   explicit ArrivalOrder(ArrivalParameters parameters = {}) : parameters_(parameters) {}
 
-  Arrival judge(const Stamp& stamp);
+  Arrival hear(const Stamp& stamp);
 
   bool empty() const { return empty_; }
   // The newest one that was in turn; meaningless while empty.
@@ -47,7 +47,7 @@ class ArrivalOrder {
   void forget() { *this = ArrivalOrder(parameters_); }
 
  private:
-  Arrival take(const Stamp& stamp, Arrival arrival);
+  Arrival accept(const Stamp& stamp, Arrival arrival);
   Arrival out_of_turn(const Stamp& stamp, Arrival verdict);
   bool taken_otherwise(const Stamp& stamp) const;
 

@@ -34,7 +34,7 @@ const char* describe(CommandVerdict verdict) {
   return "is unknown";
 }
 
-CommandVerdict CommandGate::offer(const OfferedCommand& command, std::int64_t now, bool latched) {
+CommandVerdict CommandGate::hear(const OfferedCommand& command, std::int64_t now, bool latched) {
   if (command.made_for != session_) return CommandVerdict::kOtherMover;
   released_at_ = std::min(released_at_, now);  // a clock that was set back
   const double age = seconds_between(command.stamp.utime, now);
@@ -42,14 +42,14 @@ CommandVerdict CommandGate::offer(const OfferedCommand& command, std::int64_t no
   if (-age > parameters_.ahead) return CommandVerdict::kAhead;
   if (age > parameters_.life) return CommandVerdict::kStale;
   switch (writer_.hear(command.stamp, now)) {
-    case Heard::kSecond:
+    case StreamHeard::kSecond:
       return CommandVerdict::kTwoWriters;
-    case Heard::kLate:
+    case StreamHeard::kLate:
       return latched ? CommandVerdict::kLatched : CommandVerdict::kOutOfOrder;
-    case Heard::kWaits:
+    case StreamHeard::kWaits:
       return latched ? CommandVerdict::kLatched : CommandVerdict::kWaits;
-    case Heard::kTaken:
-    case Heard::kAnew:
+    case StreamHeard::kTaken:
+    case StreamHeard::kAnew:
       break;
   }
   if (latched) return CommandVerdict::kLatched;

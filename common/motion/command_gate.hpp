@@ -63,7 +63,7 @@ class CommandGate {
       : session_(session), parameters_(parameters), writer_(channel, parameters.writer) {}
 
   // Judges a command that arrives at `now` (us, the mover's time). `latched`: whether STOP holds the mover.
-  CommandVerdict offer(const OfferedCommand& command, std::int64_t now, bool latched);
+  CommandVerdict hear(const OfferedCommand& command, std::int64_t now, bool latched);
 
   // The stop was reset at `now`: only commands that answer later measurements count.
   void release(std::int64_t now);

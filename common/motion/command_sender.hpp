@@ -21,13 +21,13 @@ class CommandSender {
   // `stop_devices` as in robot.yaml.
   explicit CommandSender(std::vector<std::string> stop_devices) : stop_devices_(std::move(stop_devices)) {}
 
-  // Of others than the stop devices nothing is taken.
-  void hear_stop_state(const std::string& device, std::int64_t utime) {
+  // A STOP_STATE of one that is no stop device is passed over.
+  void observe_stop_state(const std::string& device, std::int64_t utime) {
     if (std::find(stop_devices_.begin(), stop_devices_.end(), device) == stop_devices_.end()) return;
     heard_.insert(device);
     stop_state_utime_ = utime;
   }
-  void hear_task_state(std::int64_t utime) { task_state_utime_ = utime; }
+  void observe_task_state(std::int64_t utime) { task_state_utime_ = utime; }
 
   // The utime (us) to send a command of this kind with now; nothing while it cannot be sent, for it would be refused.
   std::optional<std::int64_t> stamp(CommandKind kind) const {

@@ -30,7 +30,7 @@ class ConflictGuard {
   // Two claim to be one; `why` names channel and sessions.
   void raise(const std::string& why);
 
-  // Another one is the device from now on, and not latched: it may never have heard the STOP.
+  // To be called when another one is the device from now on, and not latched: it may never have heard the STOP.
   void ask_again() {
     if (active()) ask();
   }

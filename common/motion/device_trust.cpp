@@ -14,81 +14,81 @@ const char* const kStopState = "STOP_STATE";
 
 }  // namespace
 
-Word DeviceTrust::hear_stop_state(const Stamp& stamp, bool latched) {
+ReportHeard DeviceTrust::hear_stop_state(const Stamp& stamp, bool latched) {
   if (!trusted_) {
     const bool replaces = session_ != 0 && session_ != stamp.session;
     if (session_ != stamp.session) become(stamp);
     trusted_ = true;
-    judge_own(kStopState, stamp);
-    return replaces ? Word::kReplaced : Word::kTaken;
+    hear_own(kStopState, stamp);
+    return replaces ? ReportHeard::kReplaced : ReportHeard::kTaken;
   }
-  if (stamp.session == session_) return judge_own(kStopState, stamp);
+  if (stamp.session == session_) return hear_own(kStopState, stamp);
   if (!conflict_.empty()) {
     hear_voice(stamp);
     if (spoke_alone()) {
       become(stamp);
-      judge_own(kStopState, stamp);
-      return Word::kReplaced;
+      hear_own(kStopState, stamp);
+      return ReportHeard::kReplaced;
     }
   }
-  const Word word = not_own(kStopState, stamp, true);
-  if (word != Word::kReplaced) return word;
+  const ReportHeard heard = not_own(kStopState, stamp, true);
+  if (heard != ReportHeard::kReplaced) return heard;
   if (!latched) return conflict_with(kStopState, stamp.session);
   formers_.push_back({session_, newest_utime_});
   if (formers_.size() > kFormers) formers_.pop_front();
   become(stamp);
-  judge_own(kStopState, stamp);
-  return Word::kReplaced;
+  hear_own(kStopState, stamp);
+  return ReportHeard::kReplaced;
 }
 
-Word DeviceTrust::hear_report(const std::string& channel, const Stamp& stamp) {
+ReportHeard DeviceTrust::hear_report(const std::string& channel, const Stamp& stamp) {
   if (session_ == 0) become(stamp);
-  if (stamp.session == session_) return judge_own(channel, stamp);
+  if (stamp.session == session_) return hear_own(channel, stamp);
   return not_own(channel, stamp, false);
 }
 
-Word DeviceTrust::judge_own(const std::string& channel, const Stamp& stamp) {
-  switch (orders_[channel].judge(stamp)) {
+ReportHeard DeviceTrust::hear_own(const std::string& channel, const Stamp& stamp) {
+  switch (orders_[channel].hear(stamp)) {
     case Arrival::kLate:
-      return Word::kLate;
+      return ReportHeard::kLate;
     case Arrival::kDouble:
       return conflict_with(channel, stamp.session);
     case Arrival::kAnew:
       // The other channels' order and all times are of the former clock.
       orders_.clear();
-      orders_[channel].judge(stamp);
+      orders_[channel].hear(stamp);
       newest_utime_ = stamp.utime;
       hear_voice(stamp);
-      return Word::kAnew;
+      return ReportHeard::kAnew;
     case Arrival::kNext:
       break;
   }
   newest_utime_ = std::max(newest_utime_, stamp.utime);
   hear_voice(stamp);
-  return Word::kTaken;
+  return ReportHeard::kTaken;
 }
 
 // `claims`: it says to be the device; kReplaced when a stranger does.
-Word DeviceTrust::not_own(const std::string& channel, const Stamp& stamp, bool claims) {
+ReportHeard DeviceTrust::not_own(const std::string& channel, const Stamp& stamp, bool claims) {
   const auto former = std::find_if(formers_.begin(), formers_.end(),
                                    [&stamp](const Former& one) { return one.session == stamp.session; });
   if (former != formers_.end()) {
     // What was under way when it was replaced may arrive after its successor's first word.
-    if (stamp.utime <= former->newest_utime + kUnderWay_us) return Word::kLate;
+    if (stamp.utime <= former->newest_utime + kUnderWay_us) return ReportHeard::kLate;
     hear_voice(stamp);
     return conflict_with(channel, stamp.session);
   }
   hear_voice(stamp);
-  if (claims) return Word::kReplaced;
+  if (claims) return ReportHeard::kReplaced;
   foreign_session_ = stamp.session;
   ++foreign_count_;
-  return Word::kForeign;
+  return ReportHeard::kForeign;
 }
 
-Word DeviceTrust::conflict_with(const std::string& channel, std::int64_t session) {
+ReportHeard DeviceTrust::conflict_with(const std::string& channel, std::int64_t session) {
   foreign_session_ = session;
   conflict_ = two_write(channel + " of " + device_, session_, session);
-  return Word::kConflict;
+  return ReportHeard::kConflict;
 }
 
 void DeviceTrust::become(const Stamp& stamp) {

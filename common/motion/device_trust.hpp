@@ -28,7 +28,8 @@
 
 namespace markservo::motion {
 
-enum class Word {
+// What becomes of a report of the device, or of its STOP_STATE.
+enum class ReportHeard {
   kTaken,
   kReplaced,  // taken, and T is another than before: what is known of the former no longer holds
   kAnew,      // taken, and the writer's clock began anew: likewise
@@ -42,9 +43,9 @@ class DeviceTrust {
   // `device` as in robot.yaml's stop_devices, for the words.
   explicit DeviceTrust(std::string device) : device_(std::move(device)) {}
 
-  Word hear_stop_state(const Stamp& stamp, bool latched);
+  ReportHeard hear_stop_state(const Stamp& stamp, bool latched);
   // What the device tells on `channel`.
-  Word hear_report(const std::string& channel, const Stamp& stamp);
+  ReportHeard hear_report(const std::string& channel, const Stamp& stamp);
 
   // T, or the session first heard; 0 before any.
   std::int64_t session() const { return session_; }
@@ -78,9 +79,9 @@ class DeviceTrust {
     std::int64_t newest_utime;  // us, of its last word while it was T
   };
 
-  Word judge_own(const std::string& channel, const Stamp& stamp);
-  Word not_own(const std::string& channel, const Stamp& stamp, bool claims);
-  Word conflict_with(const std::string& channel, std::int64_t session);
+  ReportHeard hear_own(const std::string& channel, const Stamp& stamp);
+  ReportHeard not_own(const std::string& channel, const Stamp& stamp, bool claims);
+  ReportHeard conflict_with(const std::string& channel, std::int64_t session);
   void become(const Stamp& stamp);
   void hear_voice(const Stamp& stamp);
   bool spoke_alone() const;

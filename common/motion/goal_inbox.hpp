@@ -53,10 +53,10 @@ class GoalInbox {
   // Why a goal_id is beyond what its sender can have counted to, for people.
   std::string why_beyond(const GoalStamp& goal) const;
 
-  // The goal, and all before it of its sender, will not be taken up again: a stop, or another beginning.
+  // Ends the goal, at a stop or another beginning: it and all before it of its sender will not be taken up again.
   void end() { goal_.reset(); }
-  // Another beginning at `now` (us): likewise, but for a goal that is fresh then. True if one was ended: its sender had
-  // the floor without right, and what was ignored for it may begin.
+  // Ends it likewise at another beginning, at `now` (us), unless it is fresh then. True if one was ended: its sender
+  // had the floor without right, and what was ignored for it may begin.
   bool end_unless_fresh(std::int64_t now, double age);
 
   // The one that is followed; its utime is that of the repetition nearest to now.

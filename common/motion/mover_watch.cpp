@@ -11,71 +11,71 @@ constexpr double kRecent_s = 1.0;
 
 }  // namespace
 
-std::string why_dropped(Word word) {
-  switch (word) {
-    case Word::kTaken:
-    case Word::kReplaced:
-    case Word::kAnew:
+std::string why_dropped(ReportHeard heard) {
+  switch (heard) {
+    case ReportHeard::kTaken:
+    case ReportHeard::kReplaced:
+    case ReportHeard::kAnew:
       return "";
-    case Word::kLate:
+    case ReportHeard::kLate:
       return "comes late or twice";
-    case Word::kForeign:
+    case ReportHeard::kForeign:
       return "is of another session than its device's STOP_STATE";
-    case Word::kConflict:
+    case ReportHeard::kConflict:
       return "is of one of two that claim to be the device";
   }
   return "is unknown";
 }
 
-std::string why_dropped(Heard heard) {
+std::string why_dropped(StreamHeard heard) {
   switch (heard) {
-    case Heard::kTaken:
-    case Heard::kAnew:
+    case StreamHeard::kTaken:
+    case StreamHeard::kAnew:
       return "";
-    case Heard::kLate:
+    case StreamHeard::kLate:
       return "comes late or twice";
-    case Heard::kWaits:
+    case StreamHeard::kWaits:
       return "is of a second writer, while the first still speaks";
-    case Heard::kSecond:
+    case StreamHeard::kSecond:
       return "is of one of two writers";
   }
   return "is unknown";
 }
 
-Word MoverWatch::hear_stop_state(const Stamp& stamp, bool latched, const std::string& reason) {
-  const Word word = trust_.hear_stop_state(stamp, latched);
-  if (word == Word::kConflict) guard_.raise(trust_.conflict());
-  if (!why_dropped(word).empty()) return word;
+ReportHeard MoverWatch::hear_stop_state(const Stamp& stamp, bool latched, const std::string& reason) {
+  const ReportHeard heard = trust_.hear_stop_state(stamp, latched);
+  if (heard == ReportHeard::kConflict) guard_.raise(trust_.conflict());
+  if (!why_dropped(heard).empty()) return heard;
   latched_ = latched;
   stop_reason_ = reason;
-  if (word != Word::kTaken) {
+  if (heard != ReportHeard::kTaken) {
     for (auto& [channel, writer] : streams_) writer.forget_order();
   }
-  if (word == Word::kReplaced && !latched) guard_.ask_again();
+  if (heard == ReportHeard::kReplaced && !latched) guard_.ask_again();
   if (guard_.hear_stop_state(latched, one_alone())) {
     trust_.settle();
     for (auto& [channel, writer] : streams_) writer.settle();
   }
-  return word;
+  return heard;
 }
 
-Word MoverWatch::hear_report(const std::string& channel, const Stamp& stamp) {
-  const Word word = trust_.hear_report(channel, stamp);
-  if (word == Word::kConflict) guard_.raise(trust_.conflict());
-  if (word == Word::kForeign) stranger_at_ = now();
-  if (word == Word::kAnew) {
+ReportHeard MoverWatch::hear_report(const std::string& channel, const Stamp& stamp) {
+  const ReportHeard heard = trust_.hear_report(channel, stamp);
+  if (heard == ReportHeard::kConflict) guard_.raise(trust_.conflict());
+  if (heard == ReportHeard::kForeign) stranger_at_ = now();
+  if (heard == ReportHeard::kAnew) {
     for (auto& [other, writer] : streams_) writer.forget_order();
   }
-  return word;
+  return heard;
 }
 
-Heard MoverWatch::hear_stream(const std::string& channel, const Stamp& stamp) {
+StreamHeard MoverWatch::hear_stream(const std::string& channel, const Stamp& stamp) {
   SoleWriter& writer = streams_.try_emplace(channel, channel).first->second;
   // An old recording, played to the bus, is nobody who writes now.
   const bool stranger = stamp.session != writer.session();
-  if (stranger && now() != 0 && std::abs(seconds_between(stamp.utime, now())) > kRecent_s) return Heard::kLate;
-  const Heard heard = writer.hear(stamp, now());
-  if (heard == Heard::kSecond) guard_.raise(writer.words());
+  if (stranger && now() != 0 && std::abs(seconds_between(stamp.utime, now())) > kRecent_s) return StreamHeard::kLate;
+  const StreamHeard heard = writer.hear(stamp, now());
+  if (heard == StreamHeard::kSecond) guard_.raise(writer.words());
   return heard;
 }
 

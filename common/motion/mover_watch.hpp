@@ -1,7 +1,7 @@
 #pragma once
 
 // What a reader knows of one thing that moves and of all that leads to its motion: whose word counts, how its stop
-// stands, what time it is, and whether two claim to be one. Then nothing may move: blocked() says why, and stop_due()
+// stands, what time it is, and whether two claim to be one. Then nothing may move: conflict() says why, and stop_due()
 // gives the STOP to send, until a later RESET finds one alone.
 
 #include <cstdint>
@@ -16,8 +16,8 @@
 namespace markservo::motion {
 
 // A few words for people: why what was heard is dropped; empty when it is not.
-std::string why_dropped(Word word);
-std::string why_dropped(Heard heard);
+std::string why_dropped(ReportHeard heard);
+std::string why_dropped(StreamHeard heard);
 
 class MoverWatch {
  public:
@@ -27,13 +27,13 @@ class MoverWatch {
   const std::string& device() const { return device_; }
 
   // The device's STOP_STATE.
-  Word hear_stop_state(const Stamp& stamp, bool latched, const std::string& reason);
+  ReportHeard hear_stop_state(const Stamp& stamp, bool latched, const std::string& reason);
   // What the device itself reports: JOINT_STATE; WHEEL_ODOMETRY, SONAR_SCAN.
-  Word hear_report(const std::string& channel, const Stamp& stamp);
+  ReportHeard hear_report(const std::string& channel, const Stamp& stamp);
   // What others tell that its motion is decided by: TARGET_POSE, ROBOT_POSE. Of another writer than the present one
   // only what is of now counts.
-  Heard hear_stream(const std::string& channel, const Stamp& stamp);
-  // Two were found by other means.
+  StreamHeard hear_stream(const std::string& channel, const Stamp& stamp);
+  // Two that claim to be one were found by other means; `why` names them.
   void raise(const std::string& why) { guard_.raise(why); }
 
   // us, of the device's newest message; 0 before any.
@@ -45,7 +45,7 @@ class MoverWatch {
   const std::string& stop_reason() const { return stop_reason_; }
 
   // Why nothing may move though no stop is latched: two claim to be one. Empty when none do.
-  const std::string& blocked() const { return guard_.why(); }
+  const std::string& conflict() const { return guard_.why(); }
   // The STOP to send now.
   std::optional<StopWish> stop_due() { return guard_.due(now()); }
 

@@ -3,7 +3,7 @@
 namespace markservo::motion {
 
 std::string notice(const MoverWatch& mover, const GoalInbox& goals, double goal_age) {
-  if (!mover.blocked().empty()) return mover.blocked();
+  if (!mover.conflict().empty()) return mover.conflict();
   std::string second = goals.second(mover.now(), goal_age);
   return second.empty() ? mover.stranger() : second;
 }

@@ -24,7 +24,8 @@ struct WriterParameters {
   ArrivalParameters arrival;
 };
 
-enum class Heard {
+// What becomes of a message of the channel.
+enum class StreamHeard {
   kTaken,   // in its turn
   kAnew,    // of a writer that took the floor, has it alone again, or began anew: what is known of before does not hold
   kLate,    // comes late, twice or out of turn: to be dropped
@@ -38,7 +39,7 @@ class SoleWriter {
       : channel_(std::move(channel)), parameters_(parameters) {}
 
   // `now`: us, the newest time of what is moved; 0 while that has none.
-  Heard hear(const Stamp& stamp, std::int64_t now);
+  StreamHeard hear(const Stamp& stamp, std::int64_t now);
 
   // No other has spoken for so long that one writes alone.
   bool alone(std::int64_t now) const;
@@ -53,7 +54,7 @@ class SoleWriter {
     other_.reset();
     former_.reset();
   }
-  // All times are of another clock from now on.
+  // To be called when all times are of another clock from now on.
   void forget_order() { order_.forget(); }
 
  private:
@@ -64,7 +65,7 @@ class SoleWriter {
     bool told = false;          // that two write
   };
 
-  Heard hear_another(const Stamp& stamp, std::int64_t now);
+  StreamHeard hear_another(const Stamp& stamp, std::int64_t now);
 
   std::string channel_;
   WriterParameters parameters_;

@@ -44,7 +44,7 @@ class StopLatch {
   StopHeard hear(const StopRequestStamp& request, std::int64_t now, const std::string& obstacle = {});
   std::string why_stale(const StopRequestStamp& request, std::int64_t now) const;
 
-  // By the mover itself at `now` (us): two command it, the world begins anew.
+  // Latches by the mover itself at `now` (us): two command it, the world begins anew.
   void latch(const std::string& reason, std::int64_t now);
 
   bool latched() const { return latched_; }

@@ -47,11 +47,29 @@ check_settings() {
   return "${PIPESTATUS[0]}"
 }
 
+# mend_for_robot_file: the command that brings back the one that cannot be read, where one does.
+mend_for_robot_file() {
+  local another="name another with --robot-file" brought=$repository/config/robot.yaml
+  if [[ -e $robot_file ]]; then
+    printf '%s\n' "chmod a+r ${robot_file@Q}, or $another"
+  elif [[ $robot_file == "$brought" ]]; then
+    if [[ $installed == yes ]]; then
+      printf '%s\n' "$get_programs"
+    else
+      printf '%s\n' "git -C ${repository@Q} checkout config/robot.yaml, or $another"
+    fi
+  elif [[ $robot_file == "$default_config_dir/robot.yaml" ]]; then
+    printf '%s\n' "cp -- ${brought@Q} ${robot_file@Q}"
+  else
+    printf '%s\n' "$another"
+  fi
+}
+
 check_configuration() {
   local service file conf objection wrong_before=$faults mend
   local -A told=()
   if [[ ! -r $robot_file ]]; then
-    wrong configuration "$robot_file cannot be read" "git checkout config/robot.yaml, or name another with --robot-file"
+    wrong configuration "$robot_file cannot be read" "$(mend_for_robot_file)"
     return
   fi
   robot_file=$(realpath -s -- "$robot_file") config_dir=$(realpath -s -- "$config_dir")

@@ -70,10 +70,10 @@ void BaseNavigatorNode::start(bus::Bus& bus) {
 
 void BaseNavigatorNode::on_stop(const StopState& stop) {
   if (stop.device != stop_device_) return;
-  const motion::Word word = base_->hear_stop_state(stamp_of(stop), stop.latched != 0, stop.reason);
-  if (word == motion::Word::kReplaced) begin_anew("the base began anew");
-  if (word == motion::Word::kAnew) begin_anew("the clock of STOP_STATE was set back");
-  const std::string why = motion::why_dropped(word);
+  const motion::ReportHeard heard = base_->hear_stop_state(stamp_of(stop), stop.latched != 0, stop.reason);
+  if (heard == motion::ReportHeard::kReplaced) begin_anew("the base began anew");
+  if (heard == motion::ReportHeard::kAnew) begin_anew("the clock of STOP_STATE was set back");
+  const std::string why = motion::why_dropped(heard);
   if (why.empty()) navigator_->observe_stop(*base_->latched(), base_->stop_reason(), state_);
   after_input();
   drop(why);
@@ -94,12 +94,12 @@ void BaseNavigatorNode::begin_anew(const std::string& why) {
   pacing_ = AnswerPacing();
 }
 
-motion::Word BaseNavigatorNode::hear_report(const char* channel, const motion::Stamp& stamp) {
-  const motion::Word word = base_->hear_report(channel, stamp);
-  if (word == motion::Word::kAnew) begin_anew(std::string("the clock of ") + channel + " was set back");
+motion::ReportHeard BaseNavigatorNode::hear_report(const char* channel, const motion::Stamp& stamp) {
+  const motion::ReportHeard heard = base_->hear_report(channel, stamp);
+  if (heard == motion::ReportHeard::kAnew) begin_anew(std::string("the clock of ") + channel + " was set back");
   after_input();
-  drop(motion::why_dropped(word));
-  return word;
+  drop(motion::why_dropped(heard));
+  return heard;
 }
 
 void BaseNavigatorNode::on_scan(const SonarScan& scan) {
@@ -117,7 +117,7 @@ void BaseNavigatorNode::on_odometry(const WheelOdometry& odometry) {
 }
 
 void BaseNavigatorNode::on_pose(const RobotPose& pose) {
-  const motion::Heard heard = base_->hear_stream(channels::kRobotPose.name, stamp_of(pose));
+  const motion::StreamHeard heard = base_->hear_stream(channels::kRobotPose.name, stamp_of(pose));
   after_input();
   drop(motion::why_dropped(heard));
   pacing_.observe_pose(identity(pose));
@@ -127,7 +127,7 @@ void BaseNavigatorNode::on_pose(const RobotPose& pose) {
 
 // What two that claim to be one lead to.
 void BaseNavigatorNode::after_input() {
-  state_.enable.observe_conflict(base_->blocked());
+  state_.enable.observe_conflict(base_->conflict());
   if (const auto wish = base_->stop_due()) {
     StopRequest stop = messages::stop_request(*wish, base_->now(), bus_->session(), "base-navigator");
     stops_->publish(stop);

@@ -34,7 +34,7 @@ class BaseNavigatorNode : public bus::Service {
   void on_scan(const SonarScan& scan);
   void on_odometry(const WheelOdometry& odometry);
   void on_pose(const RobotPose& pose);
-  motion::Word hear_report(const char* channel, const motion::Stamp& stamp);
+  motion::ReportHeard hear_report(const char* channel, const motion::Stamp& stamp);
   void begin_anew(const std::string& why);
   void after_input();
   void answer(const OdometryId& odometry);

@@ -1,7 +1,8 @@
 #include "services/base-navigator/navigator.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
 namespace markservo::base_navigator {
@@ -64,7 +65,7 @@ motion::GoalHeard Navigator::observe(const Goal& goal, NavigatorState& state) co
   const auto heard = state.goal.observe(parameters_.trust, goal, state.track, state.enable.latched());
   if (heard != motion::GoalHeard::kNew) return heard;
   state.manoeuvre = ManoeuvreState();
-  state.exploration.permit();
+  state.exploration.forget_failure();
   return heard;
 }
 
@@ -139,9 +140,8 @@ Navigator::Decision Navigator::drive(NavigatorState& state, Status& status) cons
   status.distance = error.distance;
   status.heading_error = error.heading;
   if (error.distance > trust.goal_distance) {
-    char text[160];
-    std::snprintf(text, sizeof text, "the goal is %.0f m away; allowed: %.0f m", error.distance, trust.goal_distance);
-    return pause(brake(), DriveState::kHold, text);
+    return pause(brake(), DriveState::kHold,
+                 fmt::format("the goal is {:.0f} m away; allowed: {:.0f} m", error.distance, trust.goal_distance));
   }
   const double own = parameters_.motion.speed;
   const Assignment assignment{*X_WG, clearance, goal.speed > 0.0 ? std::min(goal.speed, own) : own};

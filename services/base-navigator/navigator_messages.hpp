@@ -15,7 +15,7 @@ SonarScanSample scan_sample(const SonarScan& message);
 Goal goal_of(const BaseGoal& message);
 
 OdometryId identity(const WheelOdometry& message);
-// Of the odometry that the pose answers, at the pose's own time.
+// The odometry that the pose answers, at the pose's own time.
 OdometryId identity(const RobotPose& message);
 
 // The answers to an odometry; session and seq are the publisher's to fill.

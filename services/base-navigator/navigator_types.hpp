@@ -17,7 +17,7 @@ namespace markservo::base_navigator {
 // One WHEEL_ODOMETRY.
 struct OdometrySample {
   std::int64_t utime = 0;
-  double left = 0.0;  // m, way of the wheel since the driver started
+  double left = 0.0;  // m that the wheel went since the driver started
   double right = 0.0;
 };
 

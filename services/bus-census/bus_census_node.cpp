@@ -17,13 +17,13 @@ constexpr int kQueue = 1000;  // messages that wait; rates must not suffer from 
 
 BusCensusNode::BusCensusNode(const std::string& url, bool status_only)
     : listener_(url, status_only ? kStatusChannel : ".*", kQueue,
-                [this](const bus::HeardBytes& message) { hear(message); }) {}
+                [this](const bus::HeardBytes& message) { on_message(message); }) {}
 
-void BusCensusNode::hear(const bus::HeardBytes& message) {
-  census_->hear(census::heard_of(message.channel, message.data, message.size, message.size, message.utime));
+void BusCensusNode::on_message(const bus::HeardBytes& message) {
+  census_->observe(census::heard_of(message.channel, message.data, message.size, message.size, message.utime));
   const auto word = census::word_in(message.channel, message.data, message.size);
   if (!word) return;
-  census_->hear(*word, message.utime);
+  census_->observe(*word, message.utime);
   if (on_status) on_status(*word);
 }
 

@@ -27,7 +27,7 @@ class BusCensusNode {
   census::Report report() const;
 
  private:
-  void hear(const bus::HeardBytes& message);
+  void on_message(const bus::HeardBytes& message);
 
   bus::Listener listener_;
   std::optional<census::Census> census_;

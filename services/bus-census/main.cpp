@@ -13,6 +13,7 @@
 #include "common/bus/tool.hpp"
 #include "common/census/census_text.hpp"
 #include "common/reflection/value_text.hpp"
+#include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
 #include "services/bus-census/bus_census_node.hpp"
 #include "services/bus-census/clock_reader.hpp"
@@ -34,7 +35,7 @@ struct Options {
   bool defaults = false;
   RoomWish room;
   std::vector<int> own;
-  std::vector<std::int64_t> own_sessions;
+  std::vector<std::string> own_sessions;  // as JSON has them
 };
 
 void print(const Json& json) {
@@ -56,7 +57,6 @@ int tell_room(const Options& options, BusCensusNode* node) {
   RoomWish wish = options.room;
   wish.host = markservo::bus::host_name();
   wish.own.insert(options.own.begin(), options.own.end());
-  wish.own_sessions.insert(options.own_sessions.begin(), options.own_sessions.end());
   for (double waited = 0.0; waited < kPatience && !wish.own.empty(); waited += kStep) {
     if (markservo::bus::told_to_end() || !somebody_is_unknown(node->report(), wish)) break;
     node->listen_on(kStep);
@@ -73,7 +73,19 @@ void print_defaults() {
             << "clock-tolerance-s=" << 1e-6 * static_cast<double>(markservo::bus::kClockTolerance_us) << "\n";
 }
 
-int run(const Options& options) {
+// Throws ConfigurationError.
+void read_sessions(Options& options) {
+  for (const std::string& text : options.own_sessions) {
+    const auto session = census::session_of(text);
+    if (!session) {
+      throw markservo::ConfigurationError("--own-sessions '" + text + "'; allowed: 0x and 1 to 16 hexadecimal digits");
+    }
+    options.room.own_sessions.insert(*session);
+  }
+}
+
+int run(Options& options) {
+  read_sessions(options);
   if (options.defaults) {
     print_defaults();
     return markservo::bus::kExitStopped;
@@ -122,7 +134,9 @@ void add_options(CLI::App& app, Options& options) {
       .delimiter(',');
   add.option("--robot", options.room.robot, "With --room-for: this robot's channels only, '' for no prefix");
   add.option("--own", options.own, "With --room-for: processes of this host that are no obstacle").delimiter(',');
-  add.option("--own-sessions", options.own_sessions, "With --own: what they are known to write by").delimiter(',');
+  add.option("--own-sessions", options.own_sessions,
+             "With --own: the sessions that they are known to write by, as --json shows them")
+      .delimiter(',');
 }
 
 }  // namespace

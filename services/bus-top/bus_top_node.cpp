@@ -60,13 +60,13 @@ BusTopNode::BusTopNode(BusTopOptions options)
     : options_(std::move(options)),
       prefix_(options_.robot.empty() ? "" : options_.robot + "/"),
       start_(std::chrono::steady_clock::now()),
-      listener_(options_.url, ".*", kQueue, [this](const bus::HeardBytes& message) { note(message); }) {}
+      listener_(options_.url, ".*", kQueue, [this](const bus::HeardBytes& message) { on_message(message); }) {}
 
 double BusTopNode::now() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-void BusTopNode::note(const bus::HeardBytes& message) {
+void BusTopNode::on_message(const bus::HeardBytes& message) {
   if (message.channel.compare(0, prefix_.size(), prefix_) != 0) return;
   const auto told = reflection::note_of(reflection::TypeCatalog::ours(), message.data, message.size);
   watch_.observe(message.channel.substr(prefix_.size()), told, message.data, now());

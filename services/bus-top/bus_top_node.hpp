@@ -40,7 +40,7 @@ class BusTopNode {
   int run();
 
  private:
-  void note(const bus::HeardBytes& message);
+  void on_message(const bus::HeardBytes& message);
   double now() const;
   // Until `deadline` (as now() tells it), a signal, or one message on --channel.
   void listen(double deadline);

@@ -13,6 +13,7 @@
 #include "common/bus/options.hpp"
 #include "common/reflection/type_catalog.hpp"
 #include "common/reflection/value_text.hpp"
+#include "common/text/typed_command.hpp"
 #include "services/log-tool/comparison_report.hpp"
 #include "services/log-tool/event_choice.hpp"
 #include "services/log-tool/export_command.hpp"
@@ -153,7 +154,11 @@ int types(const Options& options) {
 
 class Commands {
  public:
-  explicit Commands(markservo::bus::CommandLine& command_line) : command_line_(&command_line) {}
+  Commands(markservo::bus::CommandLine& command_line, const markservo::text::TypedCommand& typed)
+      : command_line_(&command_line) {
+    options_.play.own_name = typed.name_or(options_.play.own_name);
+    options_.play.log_command = typed.of("log");
+  }
 
   void add_all() {
     add_readers();
@@ -263,13 +268,14 @@ int main(int argc, char** argv) {
       "Looks into LCM logs, mends, cuts, exports, compares and plays them. A LOG is a file or a recording's folder.\n"
       "Exits 0 when all is well, 1 for a damaged log, a difference or a bus in use, 2 for what is no log or a wrong\n"
       "option, 3 for a bus that cannot be joined.");
-  Commands commands(command_line);
+  const markservo::text::TypedCommand typed(argc > 0 ? argv[0] : "");
+  Commands commands(command_line, typed);
   commands.add_all();
   if (const auto exit_code = command_line.parse(argc, argv)) return *exit_code;
   try {
     return commands.run();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "log-tool: %s\n", error.what());
+    std::fprintf(stderr, "%s: %s\n", typed.name_or("log-tool").c_str(), error.what());
     if (dynamic_cast<const markservo::bus::BusUnavailable*>(&error) != nullptr) return kNoBus;
     return dynamic_cast<const BusInUse*>(&error) != nullptr ? kBusInUse : kBadInput;
   }

@@ -109,9 +109,12 @@ bool play(const LogSet& logs, const PlayOptions& options) {
   const PlayPlan plan =
       plan_of(logs.events(), wishes, reflection::TypeCatalog::ours(), [] { return !bus::told_to_end(); });
   if (bus::told_to_end()) return true;
-  if (logs.damaged()) say("the log is damaged: what can be read is played (log-tool verify says more)");
+  if (logs.damaged())
+    say("the log is damaged: what can be read is played (" + options.log_command + " verify says more)");
   for (const std::string& line : left_out_text(plan)) say(line);
-  if (plan.events.empty()) throw std::invalid_argument("no channel to play is in the log; log-tool info shows what is");
+  if (plan.events.empty()) {
+    throw std::invalid_argument("no channel to play is in the log; " + options.log_command + " info shows what is");
+  }
   if (!options.join) refuse_a_second_writer(plan, wishes, options.url);
   say("playing " + seconds_text(std::max(0.0, seconds_apart(plan.events.front().utime, plan.events.back().utime))) +
       " of " + std::to_string(plan.played.size()) + " channels to " + options.url);
@@ -124,8 +127,8 @@ bool play(const LogSet& logs, const PlayOptions& options) {
     say("the log's time jumps " + std::to_string(schedule.jumps()) + " times: no waiting there");
   say("played " + std::to_string(player.sent()) + " messages");
   if (player.failed() == 0) return true;
-  std::fprintf(stderr, "log-tool: the bus did not take %lld messages; the first on %s\n",
-               static_cast<long long>(player.failed()), player.first_failure().c_str());
+  fmt::print(stderr, "{}: the bus did not take {} messages; the first on {}\n", options.own_name, player.failed(),
+             player.first_failure());
   return false;
 }
 

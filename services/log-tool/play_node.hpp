@@ -22,6 +22,9 @@ struct PlayOptions {
   std::string channels;  // NameExpression; empty: all
   bool all = false;
   bool join = false;
+  // For what is said: who says it, and what a person types to look into a log.
+  std::string own_name = "log-tool";
+  std::string log_command = "scripts/log";
 };
 
 // Plays what plan_of() lets through, at the recorded pace, until the end or a signal; says on standard output what is

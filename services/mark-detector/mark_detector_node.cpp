@@ -128,11 +128,11 @@ std::optional<int> MarkDetectorNode::run_alone() {
 
 void MarkDetectorNode::start(bus::Bus& bus) {
   publisher_.emplace(bus.advertise(channels::kMarkDetection));
-  bus.on_latest(channels::kStereoFrame, [this](const StereoFrame& frame) { handle(frame); });
+  bus.on_latest(channels::kStereoFrame, [this](const StereoFrame& frame) { on_frame(frame); });
   bus.need(channels::kStereoFrame);
 }
 
-void MarkDetectorNode::handle(const StereoFrame& frame) {
+void MarkDetectorNode::on_frame(const StereoFrame& frame) {
   // Unpacking a JPEG takes longer than finding the marks in it. Raw sides are not even copied: no thread for them.
   const auto policy = frame.encoding == StereoFrame::ENCODING_JPEG ? std::launch::async : std::launch::deferred;
   auto right_side = std::async(policy, [&frame] { return decode(frame, frame.right, "right"); });

@@ -23,7 +23,7 @@ class MarkDetectorNode final : public bus::Service {
   void start(bus::Bus& bus) override;
 
  private:
-  void handle(const StereoFrame& frame);
+  void on_frame(const StereoFrame& frame);
 
   bool no_equalise_ = false;
   bool no_adapt_ = false;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/bus/bus_url.hpp"
+#include "common/text/typed_command.hpp"
 #include "services/recorder/finish_node.hpp"
 #include "services/recorder/logger/keep_logger_node.hpp"
 #include "services/recorder/logger/logger_names.hpp"
@@ -48,17 +49,17 @@ std::string default_url() {
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  const recorder::CommandNames names = recorder::command_names(argc > 0 ? argv[0] : "");
+  const markservo::text::TypedCommand typed(argc > 0 ? argv[0] : "");
   try {
     recorder::open_standard_descriptors();
     if (!words.empty() && words[0] == recorder::kKeepLogger)
       return recorder::keep_logger({words.begin() + 1, words.end()});
     recorder::RecorderOptions options = recorder::parse_command_line(words, default_url());
-    options.commands.record = names.record;
-    options.commands.log = names.log;
+    options.commands.record = typed.of("record");
+    options.commands.log = typed.of("log");
     return run(options);
   } catch (const recorder::UsageError& error) {
-    recorder::warn(std::string(error.what()) + "; see " + names.record + " --help");
+    recorder::warn(std::string(error.what()) + "; see " + typed.of("record") + " --help");
     return error.code();
   } catch (const recorder::Refusal& error) {
     if (*error.what() != '\0') recorder::warn(error.what());

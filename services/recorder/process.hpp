@@ -33,7 +33,7 @@ class Pipe {
 
   int read_end() const { return ends_[0]; }
   int write_end() const { return ends_[1]; }
-  // So that the reader learns of the writer's end.
+  // Closes the end that is written to, so that the reader learns of the writer's end.
   void close_write_end();
   // What is there to be read now, without waiting; at most 64 kB.
   std::string take() const;

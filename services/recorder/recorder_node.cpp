@@ -43,6 +43,7 @@ int RecorderNode::run() {
     begin_manifest();
     join_bus();
   } catch (...) {
+    remove_manifest(folder_.path());
     folder_.undo();
     throw;
   }
@@ -69,20 +70,17 @@ void RecorderNode::begin_manifest() {
   beginning.name = folder_.name();
   beginning.start_utime = wall_clock_us();
   beginning.host = bus::host_name();
-  bool written = false;
-  try {
-    beginning.lcm_version = lcm_version();
-    if (!places.installed) beginning.source = source_version(places.project);
-    beginning.types = message_types();
-    beginning.configuration = read_configuration(places.config_dir, places.robot_file, places.project);
-    manifest_ = begun_manifest(beginning, options_.plan);
-    written = write_manifest(folder_.path(), manifest_) && folder_.reserve();
-  } catch (const ConfigurationUnreadable&) {
-    written = false;
-  }
+  beginning.lcm_version = lcm_version();
+  if (!places.installed) beginning.source = source_version(places.project);
+  beginning.types = message_types();
+  const ReadConfiguration read = read_configuration(places.config_dir, places.robot_file, places.project);
+  beginning.configuration = read.kept;
+  manifest_ = begun_manifest(beginning, options_.plan);
+  const bool written = write_manifest(folder_.path(), manifest_) && folder_.reserve();
   // What it holds may be incomplete then: Ctrl-C also ends what gathered it.
   give_up_if_told();
   if (!written) throw Refusal(kBadFolder, folder_.path() + ": the manifest cannot be written; nothing was recorded");
+  for (const std::string& path : read.unreadable) warn(path + ": cannot be read; the manifest goes without it");
 }
 
 void RecorderNode::join_bus() {

@@ -95,8 +95,11 @@ void check(const RecorderOptions& options) {
     throw UsageError("--lcm-url '" + plan.lcm_url + "'; allowed: udpm:// and tcpq:// URLs");
   }
   std::error_code error;
-  if (!fs::is_regular_file(places.robot_file, error) || access(places.robot_file.c_str(), R_OK) != 0) {
+  if (!fs::is_regular_file(places.robot_file, error)) {
     throw UsageError("--robot-file " + places.robot_file + ": no such file");
+  }
+  if (access(places.robot_file.c_str(), R_OK) != 0) {
+    throw UsageError("--robot-file " + places.robot_file + ": cannot be read");
   }
   if (!fs::is_directory(places.config_dir, error)) {
     throw UsageError("--config-dir " + places.config_dir + ": no such folder");
@@ -118,18 +121,6 @@ RecordingPlan plan_of(const Given& given, const std::string& default_url) {
 }
 
 }  // namespace
-
-CommandNames command_names(const std::string& program) {
-  CommandNames names;
-  const std::string ending = "record";
-  if (program.size() < ending.size()) return names;
-  const std::string prefix = program.substr(0, program.size() - ending.size());
-  if (program == prefix + ending) {
-    names.record = program;
-    names.log = prefix + "log";
-  }
-  return names;
-}
 
 RecorderOptions parse_command_line(const std::vector<std::string>& words, const std::string& default_url) {
   const Given given(words);

@@ -7,7 +7,7 @@
 
 namespace markservo::recorder {
 
-// Where things are.
+// Where a recorder's files are.
 struct Places {
   std::string project = ".";  // what is below is named relative to it; absolute once parsed
   std::string logs_dir = "logs";
@@ -32,9 +32,6 @@ struct RecorderOptions {
   std::string finish;       // instead: complete the manifest there
   bool new_folder = false;  // instead: make a folder for whoever records into it later
 };
-
-// How the program was called, from its first argument: "scripts/record" or "markservo record", where a script says so.
-CommandNames command_names(const std::string& program);
 
 // `words`: the command line without the program. Of an option that is given twice the last counts. The bus that nobody
 // names is `default_url`. Throws UsageError.

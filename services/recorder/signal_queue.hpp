@@ -18,7 +18,7 @@ class SignalQueue {
   // Whether the process was told to end, now or before.
   bool told();
 
-  // So long, us, or until a signal comes or, where one is given, `descriptor` has something to be read.
+  // Waits so long, us, or until a signal comes or, where one is given, `descriptor` has something to be read.
   void wait(std::int64_t timeout_us, int descriptor = -1);
 
  private:

@@ -26,31 +26,27 @@ Localizer::Localizer(const robot::BaseDescription& base, const robot::RfidDescri
                      const robot::TagField& field, const LocalizerParameters& parameters)
     : rfid_(rfid),
       parameters_(parameters),
-      map_(field, rfid.reading_radius),
-      model_(rfid.reading_radius, blurred(rfid.edge_softness, parameters.survey_sigma)),
-      reliability_(field.tags.size(), parameters.reliability),
+      floor_{TagMap(field, rfid.reading_radius),
+             ReadModel(rfid.reading_radius, blurred(rfid.edge_softness, parameters.survey_sigma)),
+             TagReliability(field.tags.size(), parameters.reliability)},
       counters_(base),
-      wheel_motion_(history_, rfid.p_RF, parameters.wheels),
-      free_motion_(rfid.p_RF, parameters.free),
-      judge_(parameters.wheels.noise, parameters.judge),
-      motion_(&free_motion_),
+      motion_(history_, rfid.p_RF, parameters.wheels, parameters.free, parameters.judge),
       paper_(parameters.paper),
       trust_(parameters.trust) {
-  wheel_motion_.set_heading(parameters.start_heading);
+  motion_.set_heading(parameters.start_heading);
 }
 
 void Localizer::lose(const std::string& why) {
-  mixture_.clear();
-  judge_.restart();
+  belief_.mixture.clear();
+  motion_.restart_judging();
   trust_.lose(why);
   // What was known of the heading at the start is past.
-  wheel_motion_.set_heading(std::nullopt);
+  motion_.set_heading(std::nullopt);
 }
 
 void Localizer::begin_anew(const std::string& why) {
-  last_round_.reset();
-  paper_.restart();
-  paper_estimate_.reset();
+  round_times_.forget();
+  paper_.forget();
   lose(why);
 }
 
@@ -61,24 +57,24 @@ LocalizerFaults Localizer::faults() const {
 }
 
 void Localizer::observe(const EncoderReading& reading) {
-  if (!history_.empty() && reading.utime <= history_.newest()) {
-    if (reading.session == wheel_session_ && !late_odometry_.persists()) {
-      ++faults_.late_odometry;
-      refuse_time("WHEEL_ODOMETRY", reading.utime, history_.newest());
-    }
-    // Another driver, or a clock that was set back: all that was known belongs to another time.
-    history_.clear();
+  const InputTimes::Step step = odometry_times_.judge(reading.utime, reading.session);
+  if (step == InputTimes::Step::kLate) {
+    ++faults_.late_odometry;
+    refuse_time("WHEEL_ODOMETRY", reading.utime, *odometry_times_.last());
+  }
+  if (step == InputTimes::Step::kAnew) {
+    // All that was known belongs to another time.
+    history_.forget();
     counters_.forget();
     begin_anew("WHEEL_ODOMETRY began anew at an earlier time");
   }
-  if (!mixture_.empty() && has_wheels()) {
+  if (!belief_.empty() && has_wheels()) {
     // While no round comes the wheels' record would be forgotten before it is used.
     const std::int64_t kept = std::min(reading.utime - WheelHistory::kKept_us, history_.newest());
-    if (kept > mixture_utime_) predict_to(kept);
+    if (kept > belief_.utime) motion_.predict(belief_, kept);
   }
-  late_odometry_.passed();
-  wheel_session_ = reading.session;
   const std::optional<WheelMotion> motion = counters_.motion(reading);
+  odometry_times_.accept(reading.utime, reading.session);
   history_.add(reading.utime, motion.value_or(WheelMotion{}));
 }
 
@@ -93,7 +89,7 @@ RoundTime Localizer::time_of(const TagRound& round) const {
   // The host's window spans two rounds when an answer was lost.
   const auto nominal = static_cast<std::int64_t>(std::lround(1e6 * rfid_.round_time));
   if (time.length < nominal / 2 || time.length > nominal * 3 / 2) time.length = nominal;
-  time.delay = mixture_.empty() ? parameters_.delay.mean : whole().mean[kDelay];
+  time.delay = belief_.empty() ? parameters_.delay.mean : whole().mean[kDelay];
   time.middle = round.utime - static_cast<std::int64_t>(std::lround(1e6 * time.delay));
   return time;
 }
@@ -101,7 +97,7 @@ RoundTime Localizer::time_of(const TagRound& round) const {
 std::vector<HeardTag> Localizer::heard_in(const TagRound& round) {
   std::vector<HeardTag> heard;
   for (const TagRead& read : round.reads) {
-    const std::optional<int> tag = map_.find(read.uid);
+    const std::optional<int> tag = floor_.map.find(read.uid);
     const auto is_it = [&tag](const HeardTag& one) { return one.tag == *tag; };
     if (!tag) {
       ++faults_.unknown_tags;
@@ -118,71 +114,43 @@ std::vector<HeardTag> Localizer::heard_in(const TagRound& round) {
 
 void Localizer::choose_motion(std::int64_t utime) {
   const bool wheels = !history_.empty() && seconds_between(history_.newest(), utime) <= parameters_.wheels_missing;
-  const Motion* wanted = wheels ? static_cast<const Motion*>(&wheel_motion_) : &free_motion_;
-  if (wanted == motion_) return;
-  if (!mixture_.empty()) {
+  if (wheels == motion_.by_wheels()) return;
+  if (!belief_.empty()) {
     // What lies before the wheels' record is inertia's still.
-    if (wheels && mixture_utime_ < history_.oldest()) {
-      predict_to(history_.oldest());
-    }
+    if (wheels && belief_.utime < history_.oldest()) motion_.predict(belief_, history_.oldest());
     // The place stays known; how the robot moves is learnt anew.
     const Hypothesis all = whole();
-    const AntennaView view = motion_->antenna(all, mixture_utime_, 0);
+    const AntennaView view = motion_.now().antenna(all, belief_.utime, 0);
     const Place place{view.p_WF, view.H * all.covariance * view.H.transpose()};
     const DelayPrior delay{all.mean[kDelay], std::sqrt(all.covariance(kDelay, kDelay))};
-    mixture_ = wanted->start(place, delay);
-    judge_.restart();
-    if (wheels) wheel_motion_.set_heading(std::nullopt);
+    belief_.mixture = motion_.of(wheels).start(place, delay);
+    if (wheels) motion_.set_heading(std::nullopt);
   }
-  motion_ = wanted;
+  motion_.choose(wheels);
 }
 
 void Localizer::begin(const std::vector<HeardTag>& heard, std::int64_t utime) {
   // The largest group of tags that one footprint can have reached.
   std::vector<Eigen::Vector2d> group;
-  const double reach = model_.reach();
+  const double reach = floor_.model.reach();
   for (const HeardTag& centre : heard) {
     std::vector<Eigen::Vector2d> around;
     for (const HeardTag& one : heard) {
-      const Eigen::Vector2d& p_W = map_.position(one.tag);
-      if ((p_W - map_.position(centre.tag)).norm() <= 2.0 * reach) around.push_back(p_W);
+      const Eigen::Vector2d& p_W = floor_.map.position(one.tag);
+      if ((p_W - floor_.map.position(centre.tag)).norm() <= 2.0 * reach) around.push_back(p_W);
     }
     if (around.size() > group.size()) group = std::move(around);
   }
   Place place;
   for (const Eigen::Vector2d& p_W : group) place.mean += p_W / static_cast<double>(group.size());
   place.covariance = reach * reach * Eigen::Matrix2d::Identity();
-  mixture_ = motion_->start(place, parameters_.delay);
-  mixture_utime_ = utime;
+  belief_ = {motion_.now().start(place, parameters_.delay), utime};
   // Later, after turns, it is no longer the heading.
-  if (has_wheels()) wheel_motion_.set_heading(std::nullopt);
-}
-
-void Localizer::predict_to(std::int64_t utime) {
-  if (has_wheels() && parameters_.judge_wheels) {
-    StateVector state = whole().mean;
-    history_.replay(mixture_utime_, utime, [&](const WheelMotion& piece) {
-      judge_.moved(state, piece);
-      Hypothesis next;
-      next.mean = state;
-      advance(next, piece, judge_.believed());
-      state = next.mean;
-    });
-  }
-  motion_->predict(mixture_, mixture_utime_, utime);
-  mixture_utime_ = utime;
-}
-
-void Localizer::judge(const Hypothesis& before, const Hypothesis& after, const RoundTime& time) {
-  if (!has_wheels() || !parameters_.judge_wheels) return;
-  AntennaView view = motion_->antenna(before, time.middle, time.length);
-  if (!time.known) view.H.col(kDelay) = -view.velocity;
-  judge_.matched(before, after, view.H);
-  wheel_motion_.set_noise(judge_.believed());
+  if (has_wheels()) motion_.set_heading(std::nullopt);
 }
 
 Hypothesis Localizer::whole() const {
-  return moments(mixture_, motion_->angle());
+  return moments(belief_.mixture, motion_.now().angle());
 }
 
 double Localizer::position_sigma() const {
@@ -203,17 +171,13 @@ void Localizer::check_window(const TagRound& round) {
 }
 
 void Localizer::follow_time(const TagRound& round) {
-  if (last_round_ && round.utime <= *last_round_) {
-    if (round.session == reader_session_ && !late_rounds_.persists()) {
-      ++faults_.late_rounds;
-      refuse_time("RFID_TAG_HITS", round.utime, *last_round_);
-    }
-    // Another reader, or a clock that was set back.
-    begin_anew("RFID_TAG_HITS began anew at an earlier time");
+  const InputTimes::Step step = round_times_.judge(round.utime, round.session);
+  if (step == InputTimes::Step::kLate) {
+    ++faults_.late_rounds;
+    refuse_time("RFID_TAG_HITS", round.utime, *round_times_.last());
   }
-  late_rounds_.passed();
-  last_round_ = round.utime;
-  reader_session_ = round.session;
+  if (step == InputTimes::Step::kAnew) begin_anew("RFID_TAG_HITS began anew at an earlier time");
+  round_times_.accept(round.utime, round.session);
 }
 
 void Localizer::observe(const TagRound& round) {
@@ -224,16 +188,16 @@ void Localizer::observe(const TagRound& round) {
   const std::vector<HeardTag> heard = heard_in(round);
   const RoundTime time = time_of(round);
   std::vector<Eigen::Vector2d> places;
-  for (const HeardTag& one : heard) places.push_back(map_.position(one.tag));
+  for (const HeardTag& one : heard) places.push_back(floor_.map.position(one.tag));
   std::optional<double> speed;
   if (has_wheels()) speed = std::abs(history_.rate(time.middle, round.utime).way);
-  if (auto paper = paper_.observe(round.utime, places, speed)) paper_estimate_ = paper;
+  paper_.observe(round.utime, places, speed);
 
-  if (!mixture_.empty() && time.middle > mixture_utime_) {
-    predict_to(time.middle);
+  if (!belief_.empty() && time.middle > belief_.utime) {
+    motion_.predict(belief_, time.middle);
     if (position_sigma() > parameters_.hopeless_sigma) lose("too long without a tag of the map");
   }
-  if (mixture_.empty()) {
+  if (belief_.empty()) {
     if (heard.empty()) return;
     begin(heard, time.middle);
   }
@@ -242,10 +206,10 @@ void Localizer::observe(const TagRound& round) {
 
 std::vector<HeardTag> Localizer::reachable(const std::vector<HeardTag>& heard) {
   const Hypothesis all = whole();
-  const double farthest = model_.reach() + parameters_.match.span * larger_sigma(all.place()) + rfid_.p_RF.norm();
+  const double farthest = floor_.model.reach() + parameters_.match.span * larger_sigma(all.place()) + rfid_.p_RF.norm();
   std::vector<HeardTag> result;
   for (const HeardTag& one : heard) {
-    if ((map_.position(one.tag) - all.mean.head<2>()).norm() <= farthest) result.push_back(one);
+    if ((floor_.map.position(one.tag) - all.mean.head<2>()).norm() <= farthest) result.push_back(one);
   }
   faults_.far_tags += static_cast<std::int64_t>(heard.size() - result.size());
   return result;
@@ -256,8 +220,7 @@ bool Localizer::match(const std::vector<HeardTag>& heard, const RoundTime& time)
   if (reads.empty() && !heard.empty()) {
     return trust_.follow(Agreement::kContradicts, 0.0, position_sigma());  // a round from elsewhere teaches nothing
   }
-  RoundUpdate round =
-      update(mixture_, mixture_utime_, *motion_, time, reads, {map_, model_, reliability_}, parameters_.match);
+  RoundUpdate round = update(belief_, motion_.now(), time, reads, floor_, parameters_.match);
   const bool explained = std::any_of(round.tags.begin(), round.tags.end(), [this](const TagTally& one) {
     return one.read && one.inside >= parameters_.trust.explained;
   });
@@ -265,11 +228,13 @@ bool Localizer::match(const std::vector<HeardTag>& heard, const RoundTime& time)
   for (const TagTally& one : round.tags) {
     chances.push_back(one.chance);
     // Only a round that hears something tells which tags are silent: a reader that hears nothing would unlearn the map.
-    if (explained) reliability_.learn(one.tag, one.read, one.inside);
+    if (explained) floor_.reliability.learn(one.tag, one.read, one.inside);
   }
-  judge(whole(), moments(round.mixture, motion_->angle()), time);
-  motion_->clean(round.mixture);
-  mixture_ = std::move(round.mixture);
+  const Hypothesis before = whole();
+  motion_.judge(before, moments(round.mixture, motion_.now().angle()),
+                antenna_in_the_middle(before, belief_.utime, motion_.now(), time));
+  motion_.now().clean(round.mixture);
+  belief_.mixture = std::move(round.mixture);
   if (reads.empty()) return trust_.follow_silence(round.probability);
   const double surprised = surprise(chances, std::log(round.probability), parameters_.match.false_read);
   return trust_.follow(explained ? Agreement::kAgrees : Agreement::kContradicts, surprised, position_sigma());
@@ -277,21 +242,22 @@ bool Localizer::match(const std::vector<HeardTag>& heard, const RoundTime& time)
 
 Estimate Localizer::estimate(std::int64_t utime) const {
   Estimate estimate;
-  estimate.paper = paper_estimate_;
+  estimate.paper = paper_.newest();
   estimate.delay = parameters_.delay;
   // A round from far ahead of now is of another clock, and no news either.
-  const double since_round = last_round_ ? std::abs(seconds_between(*last_round_, utime)) : 0.0;
-  if (mixture_.empty()) {
+  const auto& last_round = round_times_.last();
+  const double since_round = last_round ? std::abs(seconds_between(*last_round, utime)) : 0.0;
+  if (belief_.empty()) {
     constexpr double kNowhere = 1e4;  // m^2: no place is known
     estimate.pose.covariance.diagonal() << kNowhere, kNowhere, kAnyHeading;
     estimate.placement = trust_.placement(std::sqrt(kNowhere), since_round);
     estimate.reason = trust_.reason(std::sqrt(kNowhere), since_round);
     return estimate;
   }
-  Mixture now = mixture_;
-  motion_->predict(now, mixture_utime_, utime);
-  estimate.pose = motion_->pose(now, utime);
-  const Hypothesis all = moments(now, -1);
+  Belief now = belief_;
+  now.predict(motion_.now(), utime);
+  estimate.pose = motion_.now().pose(now.mixture, utime);
+  const Hypothesis all = moments(now.mixture, -1);
   estimate.delay = {all.mean[kDelay], std::sqrt(std::max(0.0, all.covariance(kDelay, kDelay)))};
   estimate.odometry_used = has_wheels();
   const double sigma = larger_sigma(estimate.pose.covariance.topLeftCorner<2, 2>());

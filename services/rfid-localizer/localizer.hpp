@@ -9,15 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "services/rfid-localizer/belief.hpp"
 #include "services/rfid-localizer/encoder_counters.hpp"
-#include "services/rfid-localizer/free_motion.hpp"
+#include "services/rfid-localizer/input_times.hpp"
+#include "services/rfid-localizer/motion_choice.hpp"
 #include "services/rfid-localizer/paper_method.hpp"
 #include "services/rfid-localizer/round_update.hpp"
-#include "services/rfid-localizer/tag_map.hpp"
-#include "services/rfid-localizer/tag_reliability.hpp"
 #include "services/rfid-localizer/trust.hpp"
-#include "services/rfid-localizer/wheel_judge.hpp"
-#include "services/rfid-localizer/wheel_motion.hpp"
 
 namespace markservo::rfid_localizer {
 
@@ -40,8 +38,7 @@ struct LocalizerParameters {
   double survey_sigma = 0.0;  // m, each axis, of the tags' positions in the map
   std::optional<HeadingPrior> start_heading;
   WheelMotionParameters wheels;
-  WheelJudgeParameters judge;
-  bool judge_wheels = true;  // and widen the prediction where they are worse than stated
+  std::optional<WheelJudgeParameters> judge = WheelJudgeParameters{};  // nothing: wheels are as stated
   FreeMotionParameters free;
   RoundMatchParameters match;
   TagReliabilityParameters reliability;
@@ -60,18 +57,6 @@ struct LocalizerFaults {
   std::int64_t late_odometry = 0;   // likewise
   std::int64_t wrong_windows = 0;   // rounds said to have been when they cannot have been
   std::int64_t tick_jumps = 0;      // of the encoders' counters
-};
-
-// Messages that come late one after another are not late: the clock was set back.
-class Lateness {
- public:
-  // Another late one. True when there are so many that their time is the time now.
-  bool persists() { return ++in_a_row_ > kMost; }
-  void passed() { in_a_row_ = 0; }
-
- private:
-  static constexpr int kMost = 20;
-  int in_a_row_ = 0;
 };
 
 struct Estimate {
@@ -97,10 +82,10 @@ class Localizer {
   // At `utime` (us), that of the newest input.
   Estimate estimate(std::int64_t utime) const;
 
-  bool has_wheels() const { return motion_ == &wheel_motion_; }
+  bool has_wheels() const { return motion_.by_wheels(); }
   LocalizerFaults faults() const;
-  WheelJudgement wheel_judgement() const { return judge_.judgement(); }
-  const TagReliability& reliability() const { return reliability_; }
+  WheelJudgement wheel_judgement() const { return motion_.judgement(); }
+  const TagReliability& reliability() const { return floor_.reliability; }
 
  private:
   // Throw std::invalid_argument and count a fault where the round cannot be.
@@ -115,37 +100,24 @@ class Localizer {
   void begin(const std::vector<HeardTag>& heard, std::int64_t utime);
   // True if the round ends all trust in the estimate.
   bool match(const std::vector<HeardTag>& heard, const RoundTime& time);
-  // Moves the mixture on to `utime` (us), and what is judged of the wheels with it.
-  void predict_to(std::int64_t utime);
-  void judge(const Hypothesis& before, const Hypothesis& after, const RoundTime& time);
   // Gives up what is believed of the place.
   void lose(const std::string& why);
   // Likewise, and what was known belongs to another time.
   void begin_anew(const std::string& why);
-  Hypothesis whole() const;       // the mixture as one Gaussian
+  Hypothesis whole() const;       // the belief as one Gaussian
   double position_sigma() const;  // m, the larger axis
 
   robot::RfidDescription rfid_;
   LocalizerParameters parameters_;
-  TagMap map_;
-  ReadModel model_;
-  TagReliability reliability_;
+  Floor floor_;
+  InputTimes odometry_times_;
   EncoderCounters counters_;
   WheelHistory history_;
-  WheelMotionModel wheel_motion_;
-  FreeMotionModel free_motion_;
-  WheelJudge judge_;
-  const Motion* motion_;
+  MotionChoice motion_;
+  InputTimes round_times_;
   PaperMethod paper_;
-  std::optional<PaperEstimate> paper_estimate_;
-
-  Mixture mixture_;                 // empty: not placed
-  std::int64_t mixture_utime_ = 0;  // us, the time it is for
+  Belief belief_;
   Trust trust_;
-  std::optional<std::int64_t> last_round_;
-  std::int64_t wheel_session_ = 0;
-  std::int64_t reader_session_ = 0;
-  Lateness late_odometry_, late_rounds_;
   LocalizerFaults faults_;  // but for the counters' jumps
 };
 

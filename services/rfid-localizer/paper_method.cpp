@@ -87,12 +87,14 @@ std::optional<PaperEstimate> PaperMethod::observe(std::int64_t utime, const std:
     const Eigen::Vector2d forward(std::cos(*estimate.direction), std::sin(*estimate.direction));
     estimate.compensated += estimate.speed * estimate.delay * forward;
   }
+  newest_ = estimate;
   return estimate;
 }
 
-void PaperMethod::restart() {
+void PaperMethod::forget() {
   averages_.clear();
   times_.clear();
+  newest_.reset();
 }
 
 }  // namespace markservo::rfid_localizer

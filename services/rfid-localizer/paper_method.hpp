@@ -45,7 +45,9 @@ class PaperMethod {
   // averages' own way. Nothing when no tag was read.
   std::optional<PaperEstimate> observe(std::int64_t utime, const std::vector<Eigen::Vector2d>& tags,
                                        const std::optional<double>& speed);
-  void restart();
+  // Of the newest round that read a tag.
+  const std::optional<PaperEstimate>& newest() const { return newest_; }
+  void forget();
 
  private:
   double own_speed() const;
@@ -53,6 +55,7 @@ class PaperMethod {
   PaperParameters parameters_;
   std::deque<Eigen::Vector2d> averages_;
   std::deque<std::int64_t> times_;
+  std::optional<PaperEstimate> newest_;
 };
 
 }  // namespace markservo::rfid_localizer

@@ -5,9 +5,6 @@
 #include <markservo/StopState.hpp>
 #include <markservo/WheelOdometry.hpp>
 
-#include "common/bus/number_options.hpp"
-#include "common/bus/options.hpp"
-#include "common/geometry/plane_pose.hpp"
 #include "common/logging/log.hpp"
 #include "common/messages/motion_messages.hpp"
 #include "common/messages/state_codes.hpp"
@@ -17,28 +14,9 @@
 #include "services/rfid-localizer/localizer_messages.hpp"
 
 namespace markservo::rfid_localizer {
+
 void RfidLocalizerNode::add_options(CLI::App& app) {
-  const bus::Options add(app);
-  const bus::NumberOptions number(app);
-  add.option("--method", method_,
-             "Whose pose ROBOT_POSE carries: filter, or paper: weighted average, Hough direction, compensated "
-             "delay. Its paper part carries the paper's values either way")
-      .one_of({"filter", "paper"})
-      .show_default();
-  add.option("--stop-device", stop_device_, "The base's name in STOP_STATE: whose WHEEL_ODOMETRY counts")
-      .show_default();
-  add.option("--tag-field", field_, "Field of floor tags in robot.yaml; default: its floor_tags.in_use");
-  add.option("--delay", delay_, "From the middle of a reader's round to its arrival, s; default: robot.yaml's")
-      .within(0.0, 5.0);
-  add.option("--delay-sigma", delay_sigma_,
-             "How well that is known, s; default: robot.yaml's. The filter improves on it when the speed changes")
-      .within(0.0, 1.0);
-  add.option("--start-heading", start_heading_deg_, "The robot's heading at the start, deg; default: not known")
-      .within(-360.0, 360.0);
-  number("--start-heading-sigma", start_heading_sigma_deg_, "How well that is known, deg", 0.1, 60.0);
-  number("--slip-margin", slip_margin_, "On robot.yaml's drift of the heading: what floors add to it", 1.0, 10.0);
-  number("--lost-sigma", parameters_.trust.largest_sigma, "Position less well known counts as lost, m", 0.01, 10.0);
-  number("--silence", parameters_.trust.silence, "Lost without any round of the reader for so long, s", 0.2, 60.0);
+  add_localizer_options(app, options_);
 }
 
 void RfidLocalizerNode::configure(const std::string& robot_file) {
@@ -47,42 +25,35 @@ void RfidLocalizerNode::configure(const std::string& robot_file) {
   if (!robot.floor_tags) {
     throw ConfigurationError(robot_file + ": section 'floor_tags' is missing; allowed: a map of tags");
   }
-  const TrustParameters told = parameters_.trust;
-  parameters_ = parameters_of(robot, slip_margin_);
-  parameters_.trust = told;
-  if (delay_) parameters_.delay.mean = parameters_.paper.delay = *delay_;
-  if (delay_sigma_) parameters_.delay.sigma = *delay_sigma_;
-  if (start_heading_deg_) {
-    parameters_.start_heading =
-        HeadingPrior{geometry::radians(*start_heading_deg_), geometry::radians(start_heading_sigma_deg_)};
-  }
+  parameters_ = localizer_parameters(options_, robot);
   robot_ = robot;
   begin();
 }
 
 void RfidLocalizerNode::begin() {
   const robot::BaseDescription base = robot_.base.value_or(robot::BaseDescription{});
-  localizer_ = std::make_unique<Localizer>(base, *robot_.rfid, robot_.floor_tags->field(field_), parameters_);
+  localizer_ =
+      std::make_unique<Localizer>(base, *robot_.rfid, robot_.floor_tags->field(options_.tag_field), parameters_);
 }
 
 void RfidLocalizerNode::start(bus::Bus& bus) {
   bus_ = &bus;
   poses_.emplace(bus.advertise(channels::kRobotPose));
-  base_.emplace(stop_device_);
+  base_.emplace(options_.stop_device);
   bus.on_each(channels::kStopState, [this](const StopState& stop) {
-    if (stop.device == stop_device_) base_->hear_stop_state(messages::stamp_of(stop), stop.latched != 0);
+    if (stop.device == options_.stop_device) base_->hear_stop_state(messages::stamp_of(stop), stop.latched != 0);
   });
   bus.on_each(channels::kRfidTagHits, [this](const RfidTagHits& message) {
-    const motion::Heard heard = rounds_.hear(messages::stamp_of(message), base_->newest_utime());
+    const motion::StreamHeard heard = rounds_.hear(messages::stamp_of(message), base_->newest_utime());
     // Who has the floor is believed though another one speaks too.
-    if (heard != motion::Heard::kSecond) messages::drop(motion::why_dropped(heard));
+    if (heard != motion::StreamHeard::kSecond) messages::drop(motion::why_dropped(heard));
     localizer_->observe(tag_round(message));
     if (!localizer_->has_wheels()) publish(message.utime, 0, 0);
   });
   bus.on_each(channels::kWheelOdometry, [this](const WheelOdometry& message) {
-    const motion::Word word = base_->hear_report(channels::kWheelOdometry.name, messages::stamp_of(message));
-    messages::drop(motion::why_dropped(word));
-    if (word == motion::Word::kAnew) {
+    const motion::ReportHeard heard = base_->hear_report(channels::kWheelOdometry.name, messages::stamp_of(message));
+    messages::drop(motion::why_dropped(heard));
+    if (heard == motion::ReportHeard::kAnew) {
       // Its clock was set back: all that is known has times to come, and the heading at the start is past.
       parameters_.start_heading.reset();
       begin();
@@ -94,7 +65,7 @@ void RfidLocalizerNode::start(bus::Bus& bus) {
 }
 
 void RfidLocalizerNode::publish(std::int64_t utime, std::int64_t odometry_session, std::int64_t odometry_seq) {
-  RobotPose pose = pose_message(localizer_->estimate(utime), utime, method_ == "paper");
+  RobotPose pose = pose_message(localizer_->estimate(utime), utime, options_.method == "paper");
   pose.odometry_session = odometry_session;
   pose.odometry_seq = odometry_seq;
   poses_->publish(pose);

@@ -10,7 +10,8 @@
 #include "common/bus/service.hpp"
 #include "common/motion/device_trust.hpp"
 #include "common/motion/sole_writer.hpp"
-#include "services/rfid-localizer/robot_parameters.hpp"
+#include "services/rfid-localizer/localizer.hpp"
+#include "services/rfid-localizer/localizer_options.hpp"
 #include "services/rfid-localizer/wheel_report.hpp"
 
 namespace markservo::rfid_localizer {
@@ -28,13 +29,7 @@ class RfidLocalizerNode : public bus::Service {
   void publish(std::int64_t utime, std::int64_t odometry_session, std::int64_t odometry_seq);
   void tell(const RobotPose& pose);
 
-  std::string method_ = "filter";
-  std::string stop_device_ = "base";
-  std::string field_;
-  std::optional<double> delay_, delay_sigma_;
-  std::optional<double> start_heading_deg_;
-  double start_heading_sigma_deg_ = 5.0;
-  double slip_margin_ = kSlipMargin;
+  LocalizerOptions options_;
   robot::RobotDescription robot_;
   LocalizerParameters parameters_;
   std::unique_ptr<Localizer> localizer_;

@@ -8,7 +8,7 @@ LocalizerParameters parameters_of(const robot::RobotDescription& robot, double s
   parameters.paper.delay = robot.rfid->delay;
   parameters.survey_sigma = robot.floor_tags->survey_sigma;
   parameters.reliability.read_probability = robot.rfid->read_probability;
-  parameters.judge.slip_margin = slip_margin;
+  parameters.judge->slip_margin = slip_margin;
   if (robot.base) {
     WheelNoise& noise = parameters.wheels.noise;
     noise.track = robot.base->track;

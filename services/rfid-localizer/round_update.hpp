@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "services/rfid-localizer/belief.hpp"
 #include "services/rfid-localizer/hypothesis.hpp"
 #include "services/rfid-localizer/motion.hpp"
 #include "services/rfid-localizer/round_match.hpp"
@@ -27,11 +28,11 @@ struct RoundTime {
   double delay = 0.0;       // s, that the middle was told by, unless known
 };
 
-// What stays the same from round to round; all of it must outlive the call.
+// The tags of the floor, and how they are read.
 struct Floor {
-  const TagMap& map;
-  const ReadModel& model;
-  const TagReliability& reliability;
+  TagMap map;
+  ReadModel model;
+  TagReliability reliability;
 };
 
 // What the mixture makes of a tag near one of its hypotheses.
@@ -48,8 +49,13 @@ struct RoundUpdate {
   std::vector<TagTally> tags;  // near any hypothesis
 };
 
-// `mixture`, of time `mixture_utime` (us) and not empty, after the round in which `heard` answered.
-RoundUpdate update(const Mixture& mixture, std::int64_t mixture_utime, const Motion& motion, const RoundTime& time,
+// Where the antenna was in the round's true middle, by a hypothesis for `utime` (us): later than that by what the
+// mixture has not been led up to, and by what the delay is shorter than the one that the middle was told by.
+AntennaView antenna_in_the_middle(const Hypothesis& hypothesis, std::int64_t utime, const Motion& motion,
+                                  const RoundTime& time);
+
+// `belief`, which is not empty, after the round in which `heard` answered.
+RoundUpdate update(const Belief& belief, const Motion& motion, const RoundTime& time,
                    const std::vector<HeardTag>& heard, const Floor& floor, const RoundMatchParameters& parameters);
 
 }  // namespace markservo::rfid_localizer

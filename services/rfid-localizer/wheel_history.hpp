@@ -27,7 +27,7 @@ class WheelHistory {
   // Adds the motion since the last sample, which ended at `utime` (us, after the last). The first sample begins the
   // record; its motion is ignored.
   void add(std::int64_t utime, const WheelMotion& motion);
-  void clear() { samples_.clear(); }
+  void forget() { samples_.clear(); }
 
   bool empty() const { return samples_.empty(); }
   std::int64_t newest() const { return samples_.back().utime; }  // us

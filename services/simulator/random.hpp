@@ -20,6 +20,34 @@ inline std::uint64_t seed_for(std::uint64_t seed, std::uint64_t stream, std::uin
   return scramble(scramble(scramble(seed) ^ stream) ^ number);
 }
 
+// The streams that are taken. A new effect draws from a number that is not among them, and every seed gives all else
+// what it gave before.
+namespace streams {
+
+// Of the world's seed.
+inline constexpr std::uint64_t kLamps = 0x11;
+inline constexpr std::uint64_t kLeftNoise = 0x22;  // of each frame
+inline constexpr std::uint64_t kRightNoise = 0x23;
+inline constexpr std::uint64_t kLostFrames = 0x33;
+inline constexpr std::uint64_t kBase = 0x81;
+inline constexpr std::uint64_t kTagFloor = 0x82;
+inline constexpr std::uint64_t kTagReader = 0x83;
+inline constexpr std::uint64_t kSonars = 0xA1;
+
+// Of the seed that each of these parts has by its own stream.
+inline constexpr std::uint64_t kWheelScale = 0x51;  // kBase's
+inline constexpr std::uint64_t kLeftGrip = 0x52;
+inline constexpr std::uint64_t kRightGrip = 0x53;
+inline constexpr std::uint64_t kFirstCount = 0x54;
+inline constexpr std::uint64_t kPivotWander = 0x55;
+inline constexpr std::uint64_t kTagPlace = 0x61;  // kTagFloor's
+inline constexpr std::uint64_t kTagRead = 0x71;   // kTagReader's
+inline constexpr std::uint64_t kStrayRead = 0x72;
+inline constexpr std::uint64_t kReadDelay = 0x73;
+inline constexpr std::uint64_t kSonarScan = 0x91;  // kSonars'
+
+}  // namespace streams
+
 class RandomBits {
  public:
   explicit RandomBits(std::uint64_t seed) : state_(seed) {}

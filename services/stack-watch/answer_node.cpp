@@ -17,14 +17,14 @@ std::string StackWatchNode::answer() {
   const std::lock_guard<std::mutex> lock(mutex_);
   const Instant when = now();
   const census::Report report = recent_.report(when);
-  Json json = {{"url", settings_.url}, {"host", host_}, {"version", MARKSERVO_VERSION}};
+  Json json = {{"url", settings_.url}, {"host", word_.host()}, {"version", MARKSERVO_VERSION}};
   json.update(census::json_of(report));
   for (std::size_t i = 0; i < report.services.size(); ++i) {
     const auto since_us = recent_.state_since_us(report.services[i].newest);
     json["services"][i]["state_for_s"] = since_us ? Json(1e-6 * static_cast<double>(when.wall_us - *since_us)) : Json();
   }
   Json kills = Json::array();
-  for (const Kill& each : kills_) {
+  for (const Kill& each : kills_.newest()) {
     kills.push_back({{"name", each.name},
                      {"pid", each.pid},
                      {"silent_s", each.silent_s},
@@ -32,21 +32,21 @@ std::string StackWatchNode::answer() {
                      {"utime", each.utime}});
   }
   Json services = Json::array();
-  for (const RunningProcess& process : supervised_.running) {
+  for (const RunningProcess& process : supervisor_.running()) {
     const std::int64_t silent_us = silence_.silent_for_us(process.name, process.pid, when.steady_us);
     services.push_back({{"name", process.name},
                         {"pid", process.pid},
                         {"silent_s", silent_us < 0 ? Json() : Json(1e-6 * static_cast<double>(silent_us))}});
   }
   json["watch"] = {{"pid", getpid()},
-                   {"bus", bus_problem_.empty() ? Json() : Json("the bus is gone: " + bus_problem_)},
-                   {"bus_changed_utime", bus_changed_us_},
-                   {"supervisor", supervised_.alive},
-                   {"supervisor_changed_utime", supervised_.changed_us},
+                   {"bus", bus_.is_gone() ? Json("the bus is gone: " + bus_.problem()) : Json()},
+                   {"bus_changed_utime", bus_.changed_us()},
+                   {"supervisor", supervisor_.is_alive()},
+                   {"supervisor_changed_utime", supervisor_.changed_us()},
                    {"silence_limit_s", 1e-6 * static_cast<double>(silence_.limit_us())},
                    {"processes", services},
                    {"kills", kills},
-                   {"crafted_fragments", crafted_}};
+                   {"crafted_fragments", crafted_.count()}};
   return reflection::json_text(json, -1);
 }
 

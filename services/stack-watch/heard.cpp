@@ -4,20 +4,20 @@
 
 namespace markservo::stack_watch {
 
-void RecentCensus::know(const census::KnownProcesses& known) {
+void RecentCensus::observe(const census::KnownProcesses& known) {
   known_ = known;
-  older_.know(known);
-  newer_.know(known);
+  older_.observe(known);
+  newer_.observe(known);
 }
 
-void RecentCensus::hear(const census::Heard& message) {
-  older_.hear(message);
-  newer_.hear(message);
+void RecentCensus::observe(const census::Heard& message) {
+  older_.observe(message);
+  newer_.observe(message);
 }
 
-void RecentCensus::hear(const census::ServiceWord& word, Instant now) {
-  older_.hear(word, now.wall_us);
-  newer_.hear(word, now.wall_us);
+void RecentCensus::observe(const census::ServiceWord& word, Instant now) {
+  older_.observe(word, now.wall_us);
+  newer_.observe(word, now.wall_us);
   const Process process{word.name, word.host, word.pid};
   if (states_.size() >= kMaxProcesses && states_.count(process) == 0 && !known_.have(word)) return;
   State& state = states_[process];
@@ -28,11 +28,11 @@ void RecentCensus::hear(const census::ServiceWord& word, Instant now) {
   state.heard_us = now.steady_us;
 }
 
-void RecentCensus::tick(Instant now) {
+void RecentCensus::step(Instant now) {
   if (now.steady_us - turned_us_ < kSpan_us) return;
   turned_us_ = now.steady_us;
   older_ = std::exchange(newer_, census::Census(now.wall_us));
-  newer_.know(known_);
+  newer_.observe(known_);
   for (auto state = states_.begin(); state != states_.end();) {
     state = now.steady_us - state->second.heard_us > kForgotten_us ? states_.erase(state) : std::next(state);
   }

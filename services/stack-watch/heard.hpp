@@ -27,11 +27,11 @@ class RecentCensus {
   explicit RecentCensus(Instant now) : older_(now.wall_us), newer_(now.wall_us), turned_us_(now.steady_us) {}
 
   // What the stack's supervisor runs: others cannot crowd it out.
-  void know(const census::KnownProcesses& known);
-  void hear(const census::Heard& message);
-  void hear(const census::ServiceWord& word, Instant now);
+  void observe(const census::KnownProcesses& known);
+  void observe(const census::Heard& message);
+  void observe(const census::ServiceWord& word, Instant now);
   // To be called once a second at least.
-  void tick(Instant now);
+  void step(Instant now);
 
   census::Report report(Instant now) const { return older_.report(now.wall_us); }
   // When the process began to be in the state that it is in, us of the wall clock; nothing where it was not heard.

@@ -5,7 +5,7 @@
 
 namespace markservo::stack_watch {
 
-void SilenceWatch::hear_word(const std::string& name, int pid, std::int64_t session, std::int64_t now_us) {
+void SilenceWatch::observe_word(const std::string& name, int pid, std::int64_t session, std::int64_t now_us) {
   const Key key{name, pid};
   const auto found = speakers_.find(key);
   if (found == speakers_.end()) return;
@@ -18,15 +18,15 @@ void SilenceWatch::hear_word(const std::string& name, int pid, std::int64_t sess
   speaker.spoke = true;
   have_spoken_.insert(name);
   mute_.erase(name);
-  hear_of(key, now_us);
+  renew(key, now_us);
 }
 
-void SilenceWatch::hear_session(std::int64_t session, std::int64_t now_us) {
+void SilenceWatch::observe_session(std::int64_t session, std::int64_t now_us) {
   const auto key = speaker_of_.find(session);
-  if (key != speaker_of_.end()) hear_of(key->second, now_us);
+  if (key != speaker_of_.end()) renew(key->second, now_us);
 }
 
-void SilenceWatch::hear_of(const Key& key, std::int64_t now_us) {
+void SilenceWatch::renew(const Key& key, std::int64_t now_us) {
   Speaker& speaker = speakers_[key];
   speaker.heard_us = now_us;
   speaker.counted_us = std::max(speaker.counted_us, now_us);
@@ -38,7 +38,7 @@ void SilenceWatch::send_beacon() {
   if (beacons_.size() > kBeaconsKept) beacons_.pop_front();
 }
 
-void SilenceWatch::hear_beacon(std::int64_t now_us) {
+void SilenceWatch::observe_beacon(std::int64_t now_us) {
   if (bus_is_gone()) {
     count_anew(now_us + parameters_.return_us);
     beacons_.clear();  // what was missed then was no chance
@@ -50,10 +50,10 @@ void SilenceWatch::hear_beacon(std::int64_t now_us) {
   if (!beacons_.empty()) beacons_.back() = true;
 }
 
-std::vector<SilentService> SilenceWatch::tick(const std::vector<RunningProcess>& processes, std::int64_t now_us) {
+std::vector<SilentService> SilenceWatch::step(const std::vector<RunningProcess>& processes, std::int64_t now_us) {
   follow(processes, now_us);
-  if (ticked_us_ >= 0 && now_us - ticked_us_ > parameters_.leap_us) count_anew(now_us);
-  ticked_us_ = now_us;
+  if (stepped_us_ >= 0 && now_us - stepped_us_ > parameters_.leap_us) count_anew(now_us);
+  stepped_us_ = now_us;
   std::vector<SilentService> silent;
   if (bus_is_gone() || heard_no_beacon_) return silent;
   for (auto& [key, speaker] : speakers_) {

@@ -56,16 +56,16 @@ class SilenceWatch {
   explicit SilenceWatch(SilenceParameters parameters = {}) : parameters_(parameters) {}
 
   // A service's own word: its SERVICE_STATUS, from this host.
-  void hear_word(const std::string& name, int pid, std::int64_t session, std::int64_t now_us);
+  void observe_word(const std::string& name, int pid, std::int64_t session, std::int64_t now_us);
   // Any other message of that session.
-  void hear_session(std::int64_t session, std::int64_t now_us);
+  void observe_session(std::int64_t session, std::int64_t now_us);
   // The watch sends a word of its own once a second, which comes back while there is a bus.
   void send_beacon();
-  void hear_beacon(std::int64_t now_us);
+  void observe_beacon(std::int64_t now_us);
 
   // To be called at least four times a second: those silent for too long, of the processes that run now. Each is told
   // once, and then counted anew. One that is not in `processes` is never told, nor listened to.
-  std::vector<SilentService> tick(const std::vector<RunningProcess>& processes, std::int64_t now_us);
+  std::vector<SilentService> step(const std::vector<RunningProcess>& processes, std::int64_t now_us);
 
   // Own words do not come back: nobody can be judged.
   bool bus_is_gone() const { return beacons_in_a_row_missed_ >= parameters_.beacons_missed; }
@@ -83,7 +83,7 @@ class SilenceWatch {
     std::int64_t counted_us = 0;  // silence counts from here
   };
 
-  void hear_of(const Key& key, std::int64_t now_us);
+  void renew(const Key& key, std::int64_t now_us);
   void follow(const std::vector<RunningProcess>& processes, std::int64_t now_us);
   bool is_silent(const Key& key, const Speaker& speaker, std::int64_t now_us);
   void count_anew(std::int64_t from_us);
@@ -91,14 +91,14 @@ class SilenceWatch {
   static constexpr std::size_t kBeaconsKept = 20;
 
   SilenceParameters parameters_;
-  std::map<Key, Speaker> speakers_;         // the processes of the last tick
+  std::map<Key, Speaker> speakers_;         // the processes of the last step
   std::map<std::int64_t, Key> speaker_of_;  // by session
   std::set<std::string> have_spoken_;       // names, of a process of the stack
   std::map<std::string, int> mute_;         // how many processes of a name in a row were told that said no word
   std::deque<bool> beacons_;                // the last ones, the newest at the end: whether it came back
   int beacons_in_a_row_missed_ = 0;
   bool heard_no_beacon_ = true;  // until the first comes back
-  std::int64_t ticked_us_ = -1;
+  std::int64_t stepped_us_ = -1;
 };
 
 }  // namespace markservo::stack_watch

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/stereo-camera/device_source.hpp"
-#include "services/stereo-camera/file_source.hpp"
-#include "services/stereo-camera/picture_list.hpp"
-#include "services/stereo-camera/picture_stream.hpp"
-#include "services/stereo-camera/video_stream.hpp"
+#include "services/stereo-camera/devices/device_source.hpp"
+#include "services/stereo-camera/files/file_source.hpp"
+#include "services/stereo-camera/files/picture_list.hpp"
+#include "services/stereo-camera/files/picture_stream.hpp"
+#include "services/stereo-camera/files/video_stream.hpp"
 
 namespace markservo::stereo_camera {
 namespace {

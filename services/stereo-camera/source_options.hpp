@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "services/stereo-camera/frame_source.hpp"
-#include "services/stereo-camera/v4l2_device.hpp"
+#include "services/stereo-camera/devices/v4l2_device.hpp"
+#include "services/stereo-camera/pairs/frame_source.hpp"
 
 namespace markservo::stereo_camera {
 

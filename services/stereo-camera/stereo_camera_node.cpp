@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "common/bus/network_check.hpp"
-#include "common/bus/options.hpp"
 #include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
-#include "services/stereo-camera/encoder.hpp"
-#include "services/stereo-camera/schedule.hpp"
+#include "services/stereo-camera/files/schedule.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -26,47 +24,7 @@ constexpr int kFirstPairAttempts = 30;      // cameras may begin with damaged or
 }  // namespace
 
 void StereoCameraNode::add_options(CLI::App& app) {
-  const bus::Options add(app);
-  SourceOptions& source = source_options_;
-  GeometryOptions& geometry = geometry_options_;
-  add.option("--left-device", source.left_device, "Left camera, for example /dev/video0");
-  add.option("--right-device", source.right_device, "Right camera, for example /dev/video2");
-  add.option("--device", source.device, "One camera that delivers both views (with --side-by-side)");
-  add.option("--left", source.left, "Left video, picture, or pattern as left_%02d.png");
-  add.option("--right", source.right, "Right video, picture, or pattern");
-  add.option("--input", source.input, "One video, picture or pattern with both views (with --side-by-side)");
-  add.flag("--side-by-side", source.side_by_side, "Both views in one picture, the left view in the left half");
-  add.flag("--loop", source.loop, "Begin files again at their end");
-  add.option("--rate", source.rate_hz, "Pairs per second, Hz; default: as the video states, else 10; cameras 30");
-  add.flag("--wait-for-device", source.wait_for_device, "Wait for a camera that is not there at the start");
-  add.option("--width", source.width, "Width asked of a camera's view, px; default: as calibrated").in_range(0, 16384);
-  add.option("--height", source.height, "Height asked of a camera's view, px; default: as calibrated")
-      .in_range(0, 16384);
-  add.option("--exposure", source.camera.exposure, "Fixed exposure in the driver's unit; default: automatic");
-  add.option("--white-balance", source.camera.white_balance_K, "Fixed white balance, K; default: held as it is");
-  add.flag("--auto-white-balance", source.camera.auto_white_balance, "Let cameras balance white by themselves");
-
-  add.option("--calibration", geometry.calibration, "OpenCV stereo calibration (YAML or XML) to rectify by");
-  add.option("--intrinsics", geometry.intrinsics, "M1 D1 M2 D2 as OpenCV's stereo_calib sample writes them");
-  add.option("--extrinsics", geometry.extrinsics, "R T R1 R2 P1 P2 as that sample writes them");
-  add.option("--metres-per-unit", geometry.limits.metres_per_unit,
-             "Unit of the calibration's T, m (0.001 for a board measured in mm)")
-      .show_default();
-  add.flag("--accept-rms", geometry.limits.accept_any_error,
-           "Take a calibration with an error above 0.5 px, or with none stated");
-  add.option("--fx", geometry.fx, "Focal length of rectified pictures, px; replaces robot.yaml's cameras");
-  add.option("--fy", geometry.fy, "Focal length along v, px; default: --fx");
-  add.option("--cx-left", geometry.cx_left, "Principal column on the left, px; default: the middle");
-  add.option("--cx-right", geometry.cx_right, "Principal column on the right, px; default: the middle");
-  add.option("--cy", geometry.cy, "Principal row, px; default: the middle");
-  add.option("--baseline", geometry.baseline, "Right lens minus left lens, m");
-
-  add.option("--encoding", encoding_, "raw, jpeg, or auto: raw where the network's buffers hold it")
-      .one_of({"auto", "raw", "jpeg"})
-      .show_default();
-  add.option("--jpeg-quality", jpeg_quality_, "1 to 100").in_range(1, 100).show_default();
-  add.option("--count", count_, "Stop after this many pairs; 0: no limit").not_negative().show_default();
-  add.flag("--once", once_, "Stop after one pair");
+  add_stereo_camera_options(app, options_);
 }
 
 void StereoCameraNode::configure(const std::string& robot_file) {
@@ -78,9 +36,9 @@ void StereoCameraNode::configure(const std::string& robot_file) {
 void StereoCameraNode::check(const std::string& robot_file) {
   // What OpenCV has to say goes into our own messages.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  if (once_) count_ = 1;
-  geometry_ = choose_geometry(geometry_options_, robot_file);
-  source_ = open_source(source_options_, geometry_.size.value_or(cv::Size(640, 480)));
+  if (options_.once) options_.count = 1;
+  geometry_ = choose_geometry(options_.geometry, robot_file);
+  source_ = open_source(options_.source, geometry_.size.value_or(cv::Size(640, 480)));
   if (!source_.note.empty()) logging::warn("{}", source_.note);
   if (geometry_.calibration && !geometry_.calibration->rms) {
     logging::warn("{}: states no reprojection error; taken on trust", geometry_.size_source);
@@ -94,7 +52,7 @@ void StereoCameraNode::read_first_pair() {
     const bool camera_begins = source_.live && result.status == ReadStatus::kDropped;
     if (!camera_begins) break;
   }
-  if (result.status == ReadStatus::kWaiting && source_options_.wait_for_device) {
+  if (result.status == ReadStatus::kWaiting && options_.source.wait_for_device) {
     logging::warn("{}; waiting for it", result.reason);
     return;
   }
@@ -104,44 +62,26 @@ void StereoCameraNode::read_first_pair() {
   }
   const std::string complaint = pair_complaint(result.pair.left, result.pair.right, cv::Size());
   if (!complaint.empty()) throw ConfigurationError("first pair: " + complaint);
-  accept_size(result.pair.left.size());
+  frame_.begin(geometry_, result.pair.left.size());
   first_ = std::move(result.pair);
 }
 
-void StereoCameraNode::accept_size(cv::Size size) {
-  if (geometry_.size && size != *geometry_.size) {
-    throw ConfigurationError("pictures are " + size_text(size) + "; allowed: " + size_text(*geometry_.size) +
-                             " as in " + geometry_.size_source +
-                             (geometry_.calibration ? "" : " (or --calibration, or --fx and --baseline)"));
-  }
-  if (geometry_.calibration) rectifier_ = std::make_unique<Rectifier>(*geometry_.calibration, size);
-  const geometry::StereoCamera camera = geometry_.camera(size);
-  message_.calibration.fx = camera.fx;
-  message_.calibration.fy = camera.fy;
-  message_.calibration.cx_left = camera.cx_left;
-  message_.calibration.cx_right = camera.cx_right;
-  message_.calibration.cy = camera.cy;
-  message_.calibration.baseline = camera.baseline;
-  message_.width = size.width;
-  message_.height = size.height;
-  size_ = size;
-}
-
 void StereoCameraNode::choose_encoding(const bus::BusUrls& urls) {
-  jpeg_ = encoding_ == "jpeg";
-  if (encoding_ == "auto" && !bus::raw_frames_fit(urls.out)) {
-    jpeg_ = true;
-    logging::warn("{}", bus::raw_frames_advice());
+  const bool too_large = options_.encoding == "auto" && !bus::raw_frames_fit(urls.out);
+  if (too_large) logging::warn("{}", bus::raw_frames_advice());
+  if (options_.encoding == "jpeg" || too_large) {
+    frame_.encode_jpeg_pictures(options_.jpeg_quality);
+  } else {
+    frame_.encode_raw_pictures();
   }
-  message_.encoding = jpeg_ ? StereoFrame::ENCODING_JPEG : StereoFrame::ENCODING_BGR8;
 }
 
 void StereoCameraNode::start(bus::Bus& bus) {
-  if (source_options_.loop && count_ == 0 && bus::is_file(bus.urls().out)) {
+  if (options_.source.loop && options_.count == 0 && bus::is_file(bus.urls().out)) {
     throw ConfigurationError("--loop is given and the bus is a log, which would never end; allowed: with --count");
   }
   choose_encoding(bus.urls());
-  frames_ = bus.advertise(channels::kStereoFrame);
+  publisher_ = bus.advertise(channels::kStereoFrame);
 }
 
 void StereoCameraNode::run(bus::Bus& bus) {
@@ -151,7 +91,7 @@ void StereoCameraNode::run(bus::Bus& bus) {
   } else {
     run_files(bus);
   }
-  logging::info("published {} pairs, dropped {}", published_, dropped_);
+  logging::info("published {} pairs, dropped {}", record_.published(), record_.dropped());
 }
 
 void StereoCameraNode::run_files(bus::Bus& bus) {
@@ -197,20 +137,17 @@ void StereoCameraNode::run_cameras(bus::Bus& bus) {
     publish(*first_, first_->exposure_utime.value_or(wall_clock_us()));
     first_.reset();
   } else {
-    waiting_ = true;
-    last_reason_ = "no camera yet";
-    bus.set_state("waiting", last_reason_);
+    record_.wait(true, "no camera yet");
+    bus.set_state("waiting", "no camera yet");
   }
   BackgroundReader reader(std::move(source_.source));
   while (!done() && bus.poll(milliseconds(0))) {
     BackgroundReader::News news = reader.take(kPollSlice);
     if (news.dropped > 0) drop(news.reason, news.dropped);
     if (news.skipped > 0) drop("a newer pair came before it was published", news.skipped);
-    losses_ += news.losses;
-    if (news.waiting && !news.reason.empty()) last_reason_ = news.reason;
-    if (news.waiting != waiting_) {
-      waiting_ = news.waiting;
-      if (waiting_) {
+    record_.lose(news.losses);
+    if (record_.wait(news.waiting, news.reason)) {
+      if (news.waiting) {
         logging::warn("{}; trying again once a second", news.reason);
       } else {
         logging::info("cameras are there");
@@ -218,14 +155,14 @@ void StereoCameraNode::run_cameras(bus::Bus& bus) {
       tell_state(bus);
     }
     if (!news.pair) continue;
-    if (!size_) {
+    if (!frame_.size()) {
       const std::string complaint = pair_complaint(news.pair->left, news.pair->right, cv::Size());
       if (!complaint.empty()) {
         drop(complaint);
         continue;
       }
       try {
-        accept_size(news.pair->left.size());
+        frame_.begin(geometry_, news.pair->left.size());
       } catch (const ConfigurationError& error) {
         drop(error.what());
         continue;
@@ -236,56 +173,29 @@ void StereoCameraNode::run_cameras(bus::Bus& bus) {
 }
 
 void StereoCameraNode::publish(const RawPair& pair, std::int64_t utime) {
-  const std::string complaint = pair_complaint(pair.left, pair.right, *size_);
+  const std::string complaint = pair_complaint(pair.left, pair.right, *frame_.size());
   if (!complaint.empty()) {
     drop("pair " + std::to_string(pair.index) + ": " + complaint);
     return;
   }
-  cv::Mat left = pair.left;
-  cv::Mat right = pair.right;
-  if (rectifier_) {
-    cv::Mat left_rectified;
-    cv::Mat right_rectified;
-    rectifier_->rectify(left, right, left_rectified, right_rectified);
-    left = left_rectified;
-    right = right_rectified;
-  }
-  if (jpeg_) {
-    encode_jpeg(left, jpeg_quality_, message_.left);
-    encode_jpeg(right, jpeg_quality_, message_.right);
-  } else {
-    encode_raw(left, message_.left);
-    encode_raw(right, message_.right);
-  }
-  message_.left_size = static_cast<std::int32_t>(message_.left.size());
-  message_.right_size = static_cast<std::int32_t>(message_.right.size());
-  message_.utime = utime;
+  StereoFrame& frame = frame_.of(pair, utime);
   try {
-    frames_->publish(message_);
-    ++published_;
+    publisher_->publish(frame);
+    record_.publish();
   } catch (const std::exception& error) {
     drop(error.what());
   }
 }
 
 void StereoCameraNode::drop(const std::string& reason, std::int64_t count) {
-  dropped_ += count;
-  last_reason_ = reason;
+  record_.drop(reason, count);
   logging::debug("dropped: {}", reason);
 }
 
 void StereoCameraNode::tell_state(bus::Bus& bus) {
-  const std::int64_t newly_dropped = dropped_ - std::exchange(dropped_told_, dropped_);
-  if (waiting_) {
-    bus.set_state("waiting", last_reason_ + " (lost " + std::to_string(losses_) + " times)");
-  } else if (newly_dropped > 0) {
-    const std::string told = std::to_string(newly_dropped) + " pairs dropped in the last second, " +
-                             std::to_string(dropped_) + " since the start; last: " + last_reason_;
-    logging::warn("{}", told);
-    bus.set_state("ready", told);
-  } else {
-    bus.set_state("ready");
-  }
+  const CaptureRecord::Health health = record_.next_health();
+  if (health.state == "ready" && !health.reason.empty()) logging::warn("{}", health.reason);
+  bus.set_state(health.state, health.reason);
 }
 
 }  // namespace markservo::stereo_camera

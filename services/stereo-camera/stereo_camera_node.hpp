@@ -2,15 +2,15 @@
 
 #include <cstdint>
 #include <markservo/StereoFrame.hpp>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "common/bus/service.hpp"
-#include "services/stereo-camera/background_reader.hpp"
-#include "services/stereo-camera/camera_geometry.hpp"
-#include "services/stereo-camera/rectifier.hpp"
-#include "services/stereo-camera/source_options.hpp"
+#include "services/stereo-camera/calibration/camera_geometry.hpp"
+#include "services/stereo-camera/capture_record.hpp"
+#include "services/stereo-camera/devices/background_reader.hpp"
+#include "services/stereo-camera/frame_message.hpp"
+#include "services/stereo-camera/stereo_camera_options.hpp"
 
 namespace markservo::stereo_camera {
 
@@ -27,42 +27,26 @@ class StereoCameraNode : public bus::Service {
   void start(bus::Bus& bus) override;
   void run(bus::Bus& bus) override;
 
-  std::int64_t published() const { return published_; }
-  std::int64_t dropped() const { return dropped_; }
+  std::int64_t published() const { return record_.published(); }
+  std::int64_t dropped() const { return record_.dropped(); }
 
  private:
   void read_first_pair();
-  void accept_size(cv::Size size);
   void choose_encoding(const bus::BusUrls& urls);
   void run_files(bus::Bus& bus);
   void run_cameras(bus::Bus& bus);
   void publish(const RawPair& pair, std::int64_t utime);
   void drop(const std::string& reason, std::int64_t count = 1);
   void tell_state(bus::Bus& bus);
-  bool done() const { return count_ > 0 && published_ >= count_; }
+  bool done() const { return options_.count > 0 && published() >= options_.count; }
 
-  SourceOptions source_options_;
-  GeometryOptions geometry_options_;
-  std::string encoding_ = "auto";
-  int jpeg_quality_ = 90;   // colours and gradients stay within the camera's noise, at an eighth of the raw size
-  std::int64_t count_ = 0;  // pairs to publish; 0: no limit
-  bool once_ = false;
-
+  StereoCameraOptions options_;
   OpenedSource source_;
   CameraGeometry geometry_;
   std::optional<RawPair> first_;
-  std::optional<cv::Size> size_;  // px, of every pair
-  std::unique_ptr<Rectifier> rectifier_;
-  std::optional<bus::Publisher<StereoFrame>> frames_;
-  StereoFrame message_{};
-  bool jpeg_ = false;
-
-  std::int64_t published_ = 0;
-  std::int64_t dropped_ = 0;
-  std::int64_t dropped_told_ = 0;
-  std::int64_t losses_ = 0;
-  bool waiting_ = false;
-  std::string last_reason_;
+  FrameMessage frame_;
+  std::optional<bus::Publisher<StereoFrame>> publisher_;
+  CaptureRecord record_;
 };
 
 }  // namespace markservo::stereo_camera

@@ -8,16 +8,16 @@
 
 namespace markservo::target_locator {
 
-// Finite everywhere, fx, fy and baseline above 0.
+// Whether all numbers are finite, and fx, fy and baseline above 0.
 bool valid_camera(const geometry::StereoCamera& camera);
 
-// There is a patch with room for a feature, and a box.
+// Whether the view has a patch with room for a feature, and a box.
 bool is_usable(const View& view);
 
-// Could the two boxes be one mark's? Rows must overlap, sizes be of one order, and the mark lie in front.
+// Whether the two boxes could be one mark's. Rows must overlap, sizes be of one order, and the mark lie in front.
 bool boxes_agree(const View& left, const View& right, const geometry::StereoCamera& camera);
 
-// Numbers as a real mark can have them; those of a camera or a box beyond all measure end elsewhere.
+// Whether a real mark can have such numbers; a camera or a box beyond all measure leads to others.
 bool is_possible(const Location& location);
 
 }  // namespace markservo::target_locator

@@ -61,11 +61,11 @@ void TargetLocatorNode::configure(const std::string& robot_file) {
 void TargetLocatorNode::start(bus::Bus& bus) {
   poses_.emplace(bus.advertise(channels::kTargetPose));
   matches_.emplace(bus.advertise(channels::kStereoMatches));
-  bus.on_latest(channels::kMarkDetection, [this](const MarkDetection& detection) { handle(detection); });
+  bus.on_latest(channels::kMarkDetection, [this](const MarkDetection& detection) { on_detection(detection); });
   bus.need(channels::kMarkDetection);
 }
 
-void TargetLocatorNode::handle(const MarkDetection& detection) {
+void TargetLocatorNode::on_detection(const MarkDetection& detection) {
   const geometry::StereoCamera camera = camera_of(detection.calibration);
   auto pose = answer_to<TargetPose>(detection);
   auto matches = answer_to<StereoMatches>(detection);

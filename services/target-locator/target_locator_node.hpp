@@ -26,7 +26,7 @@ class TargetLocatorNode final : public bus::Service {
     double size = 0.0;  // m; 0: unknown
   };
 
-  void handle(const MarkDetection& detection);
+  void on_detection(const MarkDetection& detection);
 
   std::string method_ = "refined";
   std::vector<std::string> surface_texts_;

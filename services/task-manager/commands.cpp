@@ -48,7 +48,7 @@ Transition put_back_and_go_home(const PhaseContext& context) {
   const PosturePath path =
       plan_put_back(context.arm(), context.parameters, context.input.arm->q,
                     robot::grip_point(context.arm(), task.at_grip.q), task.place.p_CG_first, context.closed());
-  if (!path.reachable()) return failed(std::string("cannot put it back: ") + robot::describe(path.status()));
+  if (!path.reachable()) return failed("cannot put it back: " + path.trouble());
   return {Release(path.moves(), Release::Then::kGoHome), "putting " + task.command.target + " back"};
 }
 
@@ -62,7 +62,7 @@ std::optional<Transition> home(Phase phase, PhaseContext& context) {
   if (context.holding.something()) return put_back_and_go_home(context);
   const ArmReport& arm = *context.input.arm;
   const PosturePath path = plan_home(context.arm(), context.parameters, {arm.q, arm.gripper_opening});
-  if (!path.reachable()) return failed(std::string("no way home: ") + robot::describe(path.status()));
+  if (!path.reachable()) return failed("no way home: " + path.trouble());
   return Transition{GoHome(path.moves(), false), "on the way home"};
 }
 

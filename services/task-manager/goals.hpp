@@ -23,7 +23,7 @@ class RepeatedGoal {
   bool none_yet() const { return newest_.id == 0; }
 
   // Its mover reports at `utime` (us) that it follows our goal `id`; 0: none of ours.
-  void hear(std::int64_t id, std::int64_t utime) { numbers_.observe(id, utime); }
+  void observe(std::int64_t id, std::int64_t utime) { numbers_.observe(id, utime); }
 
   // A new goal, under the next id.
   void set(G goal) {

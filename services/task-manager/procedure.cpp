@@ -1,8 +1,9 @@
 #include "services/task-manager/procedure.hpp"
 
+#include <fmt/format.h>
+
 #include <cassert>
 #include <cstdint>
-#include <cstdio>
 #include <utility>
 
 #include "common/task/transitions.hpp"
@@ -47,8 +48,8 @@ class Step {
 };
 
 void Step::run() {
-  s_.arm_goals.hear(in_.servo.goal_id, in_.utime);
-  if (in_.base) s_.base_goals.hear(in_.base->goal_id, in_.utime);
+  s_.arm_goals.observe(in_.servo.goal_id, in_.utime);
+  if (in_.base) s_.base_goals.observe(in_.base->goal_id, in_.utime);
   watch_the_clock();
   watch_the_arm();
   watch_the_stop_devices();
@@ -74,15 +75,13 @@ void Step::enter(Transition transition) {
 }
 
 void Step::watch_the_clock() {
-  const TaskClock::Tick tick = s_.clock.tick(in_.utime);
+  const TaskClock::Tick tick = s_.clock.advance(in_.utime);
   if (tick.set_back) s_.servo = ServoWatch();
   if (!under_way(phase())) return;
   if (tick.set_back) enter(stopped("the clock of SERVO_STATUS was set back"));
   if (tick.passed_over_us < kWorthAWord_us) return;
-  char text[96];
-  std::snprintf(text, sizeof text, "SERVO_STATUS left out %.1f s by its times: the task goes on from there",
-                1e-6 * static_cast<double>(tick.passed_over_us));
-  out_.notices.emplace_back(text);
+  out_.notices.push_back(fmt::format("SERVO_STATUS left out {:.1f} s by its times: the task goes on from there",
+                                     1e-6 * static_cast<double>(tick.passed_over_us)));
 }
 
 void Step::watch_the_arm() {

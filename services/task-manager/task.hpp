@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "services/task-manager/plans/taking_plan.hpp"
+#include "services/task-manager/plans/pick_plan.hpp"
 #include "services/task-manager/procedure_types.hpp"
 #include "services/task-manager/watches/lift_check.hpp"
 

@@ -7,7 +7,7 @@
 
 namespace markservo::task_manager {
 
-TaskClock::Tick TaskClock::tick(std::int64_t utime) {
+TaskClock::Tick TaskClock::advance(std::int64_t utime) {
   constexpr double kSetBack_s = 1.0;
   constexpr auto kGoalAge_us = static_cast<std::int64_t>(1e6 * motion::kGoalAge_s);
   const std::int64_t before = std::exchange(utime_, utime);

@@ -14,7 +14,7 @@ class TaskClock {
     std::int64_t passed_over_us = 0;  // what does not count of a pause; 0: nothing
     bool set_back = false;            // what was timed until now would wait for the old time to come again
   };
-  Tick tick(std::int64_t utime);
+  Tick advance(std::int64_t utime);
 
   // us of the task's time: of the step, and of a message with this utime. Only differences mean something.
   std::int64_t now() const { return at(utime_); }

@@ -80,7 +80,7 @@ void TaskManagerNode::on_command(const TaskCommand& message) {
 }
 
 void TaskManagerNode::on_pose(const TargetPose& message) {
-  const motion::Heard heard =
+  const motion::StreamHeard heard =
       stop_devices_.watch(arm_device_).hear_stream(channels::kTargetPose.name, stamp_of(message));
   ask_for_stops();
   drop(motion::why_dropped(heard));
@@ -89,26 +89,27 @@ void TaskManagerNode::on_pose(const TargetPose& message) {
 
 void TaskManagerNode::on_joints(const JointState& message) {
   const ArmReport report = arm_report(message);
-  const motion::Word word = stop_devices_.watch(arm_device_).hear_report(channels::kJointState.name, stamp_of(message));
+  const motion::ReportHeard heard =
+      stop_devices_.watch(arm_device_).hear_report(channels::kJointState.name, stamp_of(message));
   ask_for_stops();
-  if (word == motion::Word::kForeign) next_input_.observe_stranger(report);
-  drop(motion::why_dropped(word));
+  if (heard == motion::ReportHeard::kForeign) next_input_.observe_stranger(report);
+  drop(motion::why_dropped(heard));
   next_input_.observe(report);
 }
 
 void TaskManagerNode::on_stop(const StopState& message) {
   if (!stop_devices_.has(message.device)) return;
-  const motion::Word word =
+  const motion::ReportHeard heard =
       stop_devices_.hear_stop_state(message.device, stamp_of(message), message.latched != 0, message.reason);
   ask_for_stops();
-  if (word == motion::Word::kReplaced && message.device == arm_device_) {
+  if (heard == motion::ReportHeard::kReplaced && message.device == arm_device_) {
     next_input_.replace_arm(message.session, !state_.arm_goals.none_yet());
   }
-  drop(motion::why_dropped(word));
+  drop(motion::why_dropped(heard));
 }
 
 void TaskManagerNode::on_base(const BaseStatus& message) {
-  const motion::Heard heard =
+  const motion::StreamHeard heard =
       stop_devices_.watch(base_device_).hear_stream(channels::kBaseStatus.name, stamp_of(message));
   ask_for_stops();
   drop(motion::why_dropped(heard));
@@ -117,11 +118,11 @@ void TaskManagerNode::on_base(const BaseStatus& message) {
 
 // A second visual-servo's word is answered, so that who waits for the answer goes on, but not believed.
 ServoReport TaskManagerNode::believed(const ServoStatus& message) {
-  const motion::Heard heard =
+  const motion::StreamHeard heard =
       stop_devices_.watch(arm_device_).hear_stream(channels::kServoStatus.name, stamp_of(message));
   ask_for_stops();
   const std::string why = motion::why_dropped(heard);
-  if (heard == motion::Heard::kLate) drop(why);
+  if (heard == motion::StreamHeard::kLate) drop(why);
   ServoReport report = servo_report(message, out_->servo_goals.session());
   if (why.empty()) return report;
   report.state = ServoState::kStale;

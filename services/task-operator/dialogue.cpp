@@ -24,17 +24,10 @@ std::string timed(double time, const std::string& text) {
 
 }  // namespace
 
-std::string command_name(const std::string& program) {
-  const std::string ending = "task";
-  const bool by_script =
-      program.size() > ending.size() && program.compare(program.size() - ending.size(), ending.size(), ending) == 0;
-  return by_script ? program : Parameters{}.command;
-}
-
 Dialogue::Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters)
     : action_(action), stop_devices_(std::move(stop_devices)), parameters_(std::move(parameters)), clear_(!moves()) {}
 
-void Dialogue::hear(const StopReport& report) {
+void Dialogue::observe(const StopReport& report) {
   for (const std::string& device : stop_devices_) {
     if (device != report.device) continue;
     const auto known = devices_.find(device);
@@ -47,17 +40,17 @@ void Dialogue::hear(const StopReport& report) {
   }
 }
 
-void Dialogue::hear(const TaskReport& report, double now) {
+void Dialogue::observe(const TaskReport& report, double now) {
   task_ = report;
   task_heard_ = now;
   if (for_devices() || report.answers != Answers::kUs) return;
-  if (!task_answered_) followed_since_ = report.time;
-  task_answered_ = true;
-  const bool changed = !told_ || told_->phase != report.phase || told_->reason != report.reason ||
-                       told_->attempt != report.attempt || told_->target != report.target;
+  if (!followed_) followed_ = FollowedTask{report.time, {}};
+  const auto& told = followed_->told;
+  const bool changed = !told || told->phase != report.phase || told->reason != report.reason ||
+                       told->attempt != report.attempt || told->target != report.target;
   const bool ending_tells = moves() && !under_way(report.phase);
-  if (changed && !ending_tells) lines_.push_back(timed(report.time - followed_since_, describe(report)));
-  told_ = report;
+  if (changed && !ending_tells) lines_.push_back(timed(report.time - followed_->since, describe(report)));
+  followed_->told = report;
 }
 
 Step Dialogue::step(double now) {
@@ -69,7 +62,7 @@ Step Dialogue::step(double now) {
     step.ending = Ending{kExitRefused, two_ + ": end one of them, then " + parameters_.command + " reset"};
   } else if (for_devices()) {
     step.ending = devices_ending();
-  } else if (task_answered_) {
+  } else if (followed_) {
     step.ending = task_ending();
   } else if (!clear_ && silent_devices().empty() && task_) {
     step.ending = obstacle();
@@ -77,7 +70,7 @@ Step Dialogue::step(double now) {
     began_ = now;
   }
   if (!step.ending) step.ending = silence(now);
-  if (!step.ending && clear_ && !task_answered_) send_if_due(now, step);
+  if (!step.ending && clear_ && !followed_) send_if_due(now, step);
   return step;
 }
 
@@ -120,14 +113,14 @@ std::optional<Ending> Dialogue::task_ending() const {
   if (under_way(task_->phase)) return std::nullopt;
   const bool reached = task_->phase == Phase::kHoldLifted || task_->phase == Phase::kDone;
   if (!reached) return Ending{kExitRefused, describe(*task_)};
-  return Ending{kExitReached, timed(task_->time - followed_since_, describe(*task_))};
+  return Ending{kExitReached, timed(task_->time - followed_->since, describe(*task_))};
 }
 
 std::optional<Ending> Dialogue::silence(double now) const {
   const auto too_long = [&](double since) { return now - since >= parameters_.patience; };
   const std::string within = fmt::format(" within {:.4g} s", parameters_.patience);
   constexpr const char* kHint = " (it speaks once an image pair: do cameras, detector, locator and servo run?)";
-  if (task_answered_) {
+  if (followed_) {
     if (!too_long(*task_heard_)) return std::nullopt;
     return Ending{kExitNoAnswer, "no answer from task-manager: no TASK_STATE any more" + within + kHint};
   }

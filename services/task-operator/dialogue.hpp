@@ -52,9 +52,6 @@ struct Step {
   std::optional<Ending> ending;
 };
 
-// How `program` was called, from its first argument: "markservo task", where a script says so; else "scripts/task".
-std::string command_name(const std::string& program);
-
 struct Parameters {
   double patience = 5.0;                 // s without an answer; devices and task speak at 5 Hz or more
   double repeat = 0.2;                   // s between two sendings: LCM may lose one
@@ -68,10 +65,10 @@ class Dialogue {
  public:
   Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters = {});
 
-  void hear(const StopReport& report);
-  void hear(const TaskReport& report, double now);
+  void observe(const StopReport& report);
+  void observe(const TaskReport& report, double now);
   // Two answer as one: nothing that either says can be believed. `words` name them.
-  void hear_two(const std::string& words) { two_ = words; }
+  void observe_conflict(const std::string& words) { two_ = words; }
 
   // What to do at `now`; to be called every 0.1 s or oftener, and no more after an ending.
   Step step(double now);
@@ -86,6 +83,12 @@ class Dialogue {
   std::string silent_devices() const;
   void send_if_due(double now, Step& step);
 
+  // The task that answers us.
+  struct FollowedTask {
+    double since = 0.0;              // s of the messages
+    std::optional<TaskReport> told;  // last
+  };
+
   Action action_;
   std::vector<std::string> stop_devices_;
   Parameters parameters_;
@@ -93,10 +96,8 @@ class Dialogue {
   std::map<std::string, StopReport> devices_;
   std::optional<TaskReport> task_;
   std::optional<double> task_heard_;  // when
-  std::optional<TaskReport> told_;    // of the task that answers us
-  double followed_since_ = 0.0;       // s of the messages
-  bool clear_ = false;                // nothing is in the request's way
-  bool task_answered_ = false;
+  std::optional<FollowedTask> followed_;
+  bool clear_ = false;  // nothing is in the request's way
   std::string two_;
   std::optional<double> began_;  // the current wait
   std::optional<double> sent_;

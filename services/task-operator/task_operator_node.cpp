@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <markservo/ServiceStatus.hpp>
 #include <markservo/StopRequest.hpp>
 #include <markservo/StopState.hpp>
 #include <markservo/TaskCommand.hpp>
@@ -16,11 +17,13 @@
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
 #include "common/text/text.hpp"
+#include "services/task-operator/asked_bus.hpp"
 
 namespace markservo::task_operator {
 namespace {
 
-constexpr std::int64_t kRequest = 1;  // the only one of this program's session
+constexpr std::int64_t kRequest = 1;        // the only one of this program's session
+constexpr std::size_t kMostServices = 100;  // remembered, whoever invents names
 
 double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -61,24 +64,24 @@ std::string targets_of(const robot::RobotDescription& robot) {
 
 }  // namespace
 
-TaskOperatorNode::TaskOperatorNode(const std::string& program) {
-  parameters_.command = command_name(program);
+TaskOperatorNode::TaskOperatorNode(const std::string& program) : typed_(program) {
+  parameters_.command = typed_.of("task");
 }
 
 void TaskOperatorNode::add_options(CLI::App& app) {
   const bus::Options add(app);
-  add.option("ACTION", action_text_,
+  add.option("ACTION", wish_.action_text,
              "start: take --target, and tell how it goes; abort: hold where the arm is; home: back to the home "
              "posture; stop: nothing moves until reset; reset: release the stop, and move nothing")
       .required()
       .not_in_config()
       .one_of({"start", "abort", "home", "stop", "reset"});
-  add.option("--target", target_, "start: whose mark to take");
-  add.option("--drive", drive_, "start: X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
+  add.option("--target", wish_.target, "start: whose mark to take");
+  add.option("--drive", wish_.drive, "start: X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
       .delimiter(',')
       .expected(3);
-  add.flag("--carry", carry_, "start: carry the object to the side, release it there and go home");
-  add.option("--source", source_, "stop, reset: who asks, for the logs").show_default();
+  add.flag("--carry", wish_.carry, "start: carry the object to the side, release it there and go home");
+  add.option("--source", wish_.source, "stop, reset: who asks, for the logs").show_default();
   add.option("--patience", parameters_.patience, "How long to wait for an answer, s")
       .within(0.1, 3600.0)
       .show_default();
@@ -88,27 +91,27 @@ void TaskOperatorNode::add_options(CLI::App& app) {
 }
 
 void TaskOperatorNode::configure(const std::string& robot_file) {
-  action_ = action_of(action_text_);
+  wish_.action = action_of(wish_.action_text);
   const robot::RobotDescription robot = robot::load_robot_description(robot_file);
   if (robot.stop_devices.empty()) {
     throw ConfigurationError(robot_file + ": stop_devices is empty; allowed: what moves, so that it can be stopped");
   }
-  if (action_ == Action::kStart) {
-    const robot::MarkDescription* mark = robot.find_mark(target_);
+  if (wish_.action == Action::kStart) {
+    const robot::MarkDescription* mark = robot.find_mark(wish_.target);
     if (mark == nullptr || mark->role != robot::MarkRole::kTarget) {
-      throw ConfigurationError("--target is '" + target_ + "'; allowed: " + targets_of(robot) + " (" + robot_file +
+      throw ConfigurationError("--target is '" + wish_.target + "'; allowed: " + targets_of(robot) + " (" + robot_file +
                                ")");
     }
-    if (!drive_.empty() && !robot.base) {
+    if (!wish_.drive.empty() && !robot.base) {
       throw ConfigurationError("--drive: " + robot_file + " has no section 'base'; allowed: without --drive");
     }
-    for (const double value : drive_) {
+    for (const double value : wish_.drive) {
       if (!std::isfinite(value)) throw ConfigurationError("--drive: not a number; allowed: X,Y,HEADING_DEG");
     }
-  } else if (!target_.empty() || carry_ || !drive_.empty()) {
+  } else if (!wish_.target.empty() || wish_.carry || !wish_.drive.empty()) {
     throw ConfigurationError("--target, --drive or --carry: without start; allowed: with start");
   }
-  dialogue_.emplace(action_, robot.stop_devices, parameters_);
+  dialogue_.emplace(wish_.action, robot.stop_devices, parameters_);
   sender_.emplace(robot.stop_devices);
 }
 
@@ -118,23 +121,26 @@ void TaskOperatorNode::start(bus::Bus& bus) {
   commands_.emplace(bus.advertise(channels::kTaskCommand));
   bus.on_each(channels::kStopState, [this](const StopState& state) { on_stop_state(state); });
   bus.on_each(channels::kTaskState, [this](const TaskState& state) { on_task_state(state); });
+  bus.on_each(channels::kServiceStatus, [this](const ServiceStatus& status) {
+    if (status.session != bus_->session() && services_.size() < kMostServices) services_.insert(status.name);
+  });
 }
 
 void TaskOperatorNode::on_stop_state(const StopState& state) {
-  sender_->hear_stop_state(state.device, state.utime);
+  sender_->observe_stop_state(state.device, state.utime);
   StopReport report;
   report.device = state.device;
   report.latched = state.latched != 0;
   report.answers_us = state.request_session == bus_->session() && state.request_id == kRequest;
   report.reason = state.reason;
-  dialogue_->hear(report);
+  dialogue_->observe(report);
 }
 
 void TaskOperatorNode::on_task_state(const TaskState& state) {
-  const motion::Heard heard = task_.hear(messages::stamp_of(state), 0);
-  if (heard == motion::Heard::kSecond) dialogue_->hear_two(task_.words());
+  const motion::StreamHeard heard = task_.hear(messages::stamp_of(state), 0);
+  if (heard == motion::StreamHeard::kSecond) dialogue_->observe_conflict(task_.words());
   messages::drop(motion::why_dropped(heard));
-  sender_->hear_task_state(state.utime);
+  sender_->observe_task_state(state.utime);
   TaskReport report;
   report.time = 1e-6 * static_cast<double>(state.utime);
   if (state.command_session == bus_->session() && state.command_id == kRequest) {
@@ -146,19 +152,19 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
   report.attempt = state.attempt;
   report.target = state.target;
   report.reason = state.reason;
-  dialogue_->hear(report, steady_seconds());
+  dialogue_->observe(report, steady_seconds());
 }
 
 void TaskOperatorNode::send() {
-  const auto utime = sender_->stamp(kind_of(action_));
+  const auto utime = sender_->stamp(kind_of(wish_.action));
   if (!utime) return;  // it would be refused; who has not spoken is told when patience ends
-  if (action_ == Action::kStop || action_ == Action::kReset) {
+  if (wish_.action == Action::kStop || wish_.action == Action::kReset) {
     StopRequest request{};
     request.utime = *utime;
     request.session = bus_->session();
     request.request_id = kRequest;
-    request.kind = action_ == Action::kStop ? StopRequest::STOP : StopRequest::RESET;
-    request.source = source_;
+    request.kind = wish_.action == Action::kStop ? StopRequest::STOP : StopRequest::RESET;
+    request.source = wish_.source;
     request.reason = "asked by an operator";
     stops_->publish(request);
     return;
@@ -167,22 +173,25 @@ void TaskOperatorNode::send() {
   command.utime = *utime;
   command.session = bus_->session();
   command.command_id = kRequest;
-  command.kind = action_ == Action::kStart  ? TaskCommand::START
-                 : action_ == Action::kHome ? TaskCommand::HOME
-                                            : TaskCommand::ABORT;
-  command.target = target_;
-  command.carry = carry_ ? 1 : 0;
-  if (!drive_.empty()) {
+  command.kind = wish_.action == Action::kStart  ? TaskCommand::START
+                 : wish_.action == Action::kHome ? TaskCommand::HOME
+                                                 : TaskCommand::ABORT;
+  command.target = wish_.target;
+  command.carry = wish_.carry ? 1 : 0;
+  if (!wish_.drive.empty()) {
     command.drive = 1;
-    command.drive_pose.x = drive_[0];
-    command.drive_pose.y = drive_[1];
-    command.drive_pose.heading = geometry::radians(drive_[2]);
+    command.drive_pose.x = wish_.drive[0];
+    command.drive_pose.y = wish_.drive[1];
+    command.drive_pose.heading = geometry::radians(wish_.drive[2]);
   }
   commands_->publish(command);
 }
 
-std::string TaskOperatorNode::where(const bus::Bus& bus) {
-  return "asked on " + text::printable(bus.urls().out) + " (bus-census lists who is on a bus)";
+void TaskOperatorNode::tell(const Ending& ending) const {
+  std::string line = ending.line;
+  if (ending.exit_code == kExitNoAnswer) line += "; " + told_of_bus(bus_->urls().out, services_);
+  if (ending.exit_code != kExitReached) std::cerr << typed_.name_or("task-operator") << ": ";
+  (ending.exit_code == kExitReached ? std::cout : std::cerr) << text::printable(line) << std::endl;
 }
 
 void TaskOperatorNode::run(bus::Bus& bus) {
@@ -192,13 +201,12 @@ void TaskOperatorNode::run(bus::Bus& bus) {
     for (const std::string& line : step.lines) std::cout << text::printable(line) << std::endl;
     if (!step.ending) continue;
     exit_code_ = step.ending->exit_code;
-    (exit_code_ == kExitReached ? std::cout : std::cerr << "task-operator: ")
-        << text::printable(step.ending->line) << (exit_code_ == kExitNoAnswer ? "; " + where(bus) : "") << std::endl;
+    tell(*step.ending);
     return;
   } while (bus.poll(std::chrono::milliseconds(50)));
   exit_code_ = kExitInterrupted;
-  const bool lasts = action_ == Action::kStart || action_ == Action::kHome;
-  std::cerr << "task-operator: ended before the answer; "
+  const bool lasts = wish_.action == Action::kStart || wish_.action == Action::kHome;
+  std::cerr << typed_.name_or("task-operator") << ": ended before the answer; "
             << (lasts ? "the task goes on: abort or stop ends it" : "what was asked may have been done") << std::endl;
 }
 

@@ -1,20 +1,32 @@
 #pragma once
 
 // An operator's wish on the bus, sent until it is answered.
-//   in:  STOP_STATE, TASK_STATE
+//   in:  STOP_STATE, TASK_STATE; SERVICE_STATUS, to say who is there when nobody answers
 //   out: STOP (stop, reset) or TASK_COMMAND (start, abort, home); lines of text
 
 #include <markservo/channels.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "common/bus/service.hpp"
 #include "common/motion/command_sender.hpp"
 #include "common/motion/sole_writer.hpp"
+#include "common/text/typed_command.hpp"
 #include "services/task-operator/dialogue.hpp"
 
 namespace markservo::task_operator {
+
+// What was asked for, as the options say it.
+struct Wish {
+  std::string action_text;
+  Action action = Action::kStop;
+  std::string target;
+  std::vector<double> drive;  // x and y (m), heading (degrees); empty: stand
+  bool carry = false;
+  std::string source = "task-operator";
+};
 
 class TaskOperatorNode : public bus::Service {
  public:
@@ -35,21 +47,17 @@ class TaskOperatorNode : public bus::Service {
   void on_stop_state(const StopState& state);
   void on_task_state(const TaskState& state);
   void send();
-  // On which bus nobody answered, for people.
-  static std::string where(const bus::Bus& bus);
+  void tell(const Ending& ending) const;
 
-  std::string action_text_;
-  Action action_ = Action::kStop;
-  std::string target_;
-  std::vector<double> drive_;  // x and y (m), heading (degrees); empty: stand
-  bool carry_ = false;
-  std::string source_ = "task-operator";
+  text::TypedCommand typed_;
+  Wish wish_;
   Parameters parameters_;
 
   std::optional<Dialogue> dialogue_;
   std::optional<motion::CommandSender> sender_;
   motion::SoleWriter task_{"TASK_STATE"};
   bus::Bus* bus_ = nullptr;
+  std::set<std::string> services_;  // the others that are on the bus
   std::optional<bus::Publisher<StopRequest>> stops_;
   std::optional<bus::Publisher<TaskCommand>> commands_;
   int exit_code_ = kExitReached;

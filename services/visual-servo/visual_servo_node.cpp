@@ -98,14 +98,14 @@ void VisualServoNode::start(bus::Bus& bus) {
 
 void VisualServoNode::on_stop(const StopState& stop) {
   if (stop.device != stop_device_) return;
-  const motion::Word word = arm_->hear_stop_state(stamp_of(stop), stop.latched != 0, stop.reason);
-  if (word == motion::Word::kReplaced) {
+  const motion::ReportHeard heard = arm_->hear_stop_state(stamp_of(stop), stop.latched != 0, stop.reason);
+  if (heard == motion::ReportHeard::kReplaced) {
     machine_->begin_anew("the arm began anew", state_);
     if (strangers_ && strangers_->session == stop.session) machine_->observe(*strangers_, state_);
     strangers_.reset();
   }
-  if (word == motion::Word::kAnew) machine_->begin_anew("the clock of STOP_STATE was set back", state_);
-  const std::string why = motion::why_dropped(word);
+  if (heard == motion::ReportHeard::kAnew) machine_->begin_anew("the clock of STOP_STATE was set back", state_);
+  const std::string why = motion::why_dropped(heard);
   if (why.empty()) machine_->observe_stop(*arm_->latched(), arm_->stop_reason(), state_);
   after_input();
   drop(why);
@@ -113,10 +113,10 @@ void VisualServoNode::on_stop(const StopState& stop) {
 
 void VisualServoNode::on_joints(const JointState& joints) {
   const JointSample sample = joint_sample(joints);
-  const motion::Word word = arm_->hear_report(channels::kJointState.name, stamp_of(joints));
-  if (word == motion::Word::kForeign) strangers_ = sample;
-  if (word == motion::Word::kAnew) machine_->begin_anew("the clock of JOINT_STATE was set back", state_);
-  const std::string why = motion::why_dropped(word);
+  const motion::ReportHeard heard = arm_->hear_report(channels::kJointState.name, stamp_of(joints));
+  if (heard == motion::ReportHeard::kForeign) strangers_ = sample;
+  if (heard == motion::ReportHeard::kAnew) machine_->begin_anew("the clock of JOINT_STATE was set back", state_);
+  const std::string why = motion::why_dropped(heard);
   if (why.empty() && !machine_->observe(sample, state_)) drop("position is not finite");
   after_input();
   drop(why);
@@ -132,15 +132,15 @@ void VisualServoNode::on_goal(const ServoGoal& goal) {
 }
 
 void VisualServoNode::on_pose(const TargetPose& pose) {
-  const motion::Heard heard = arm_->hear_stream(channels::kTargetPose.name, stamp_of(pose));
-  if (heard == motion::Heard::kLate) drop(motion::why_dropped(heard));
+  const motion::StreamHeard heard = arm_->hear_stream(channels::kTargetPose.name, stamp_of(pose));
+  if (heard == motion::StreamHeard::kLate) drop(motion::why_dropped(heard));
   PoseSample sample = pose_sample(pose);
   if (const auto why = motion::why_dropped(heard); !why.empty()) sample.doubt = "TARGET_POSE " + why;
-  if (heard == motion::Heard::kAnew) machine_->begin_pictures_anew(state_);
+  if (heard == motion::StreamHeard::kAnew) machine_->begin_pictures_anew(state_);
   if (sample.doubt.empty()) {
-    const motion::Heard frame = arm_->hear_stream(kFrames, frame_of(pose));
+    const motion::StreamHeard frame = arm_->hear_stream(kFrames, frame_of(pose));
     if (const auto why = motion::why_dropped(frame); !why.empty()) sample.doubt = "STEREO_FRAME " + why;
-    if (frame == motion::Heard::kAnew) machine_->begin_pictures_anew(state_);
+    if (frame == motion::StreamHeard::kAnew) machine_->begin_pictures_anew(state_);
   }
   after_input();
   const Output output = machine_->step(sample, state_);
@@ -155,7 +155,7 @@ void VisualServoNode::on_pose(const TargetPose& pose) {
 
 // What two that claim to be one lead to.
 void VisualServoNode::after_input() {
-  state_.permit.block(arm_->blocked());
+  state_.enable.observe_conflict(arm_->conflict());
   if (const auto wish = arm_->stop_due()) {
     StopRequest stop = messages::stop_request(*wish, arm_->now(), bus_->session(), "visual-servo");
     stops_->publish(stop);

@@ -38,7 +38,7 @@ void ArmDriver::on_command(const JointCommand& command) {
   motion::OfferedCommand offered{messages::command_stamp(command), command.joint_session};
   offered.leads = motion::leading_joint(command.position, speeds, shaft).has_value();
   offered.jumps = path_.jumping_joint(command.position, speeds, shaft, offered.stamp.utime).has_value();
-  const motion::CommandVerdict verdict = gate_->offer(offered, now_(), latch_.latched());
+  const motion::CommandVerdict verdict = gate_->hear(offered, now_(), latch_.latched());
   if (verdict == motion::CommandVerdict::kTwoWriters) {
     latch_.latch(gate_->two_writers(), now_());
     stand();

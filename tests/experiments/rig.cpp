@@ -34,7 +34,7 @@ Rig::Rig(const std::string& lcm_url, const std::string& robot, Pace pace)
   bus_.on_latest(channels::kMarkDetection, [this](const MarkDetection& detection) { detection_ = detection; });
   bus_.on_each(channels::kStopState, [this](const StopState& state) {
     stops_heard_[state.device] = state;
-    sender_.hear_stop_state(state.device, state.utime);
+    sender_.observe_stop_state(state.device, state.utime);
   });
   bus_.on_each(channels::kServiceStatus, [this](const ServiceStatus& status) {
     if (status.state != "starting") started_.insert(status.pid);

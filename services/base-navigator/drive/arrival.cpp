@@ -1,7 +1,8 @@
 #include "services/base-navigator/drive/arrival.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 #include "common/time/seconds_between.hpp"
 
@@ -61,11 +62,9 @@ Arrival::Verdict Arrival::judge_outside(const ArrivalParameters& parameters, con
     return Verdict::kCorrects;
   }
   if (coarsely_there(parameters, error)) return Verdict::kWillDo;
-  char text[160];
-  std::snprintf(text, sizeof text, "gave up after %d corrections: %.3f m and %.1f degrees off; allowed %.3f m, %.1f",
-                corrections_, error.distance, degrees(error.heading), parameters.coarse_position,
-                degrees(parameters.coarse_heading));
-  why_given_up_ = text;
+  why_given_up_ = fmt::format("gave up after {} corrections: {:.3f} m and {:.1f} degrees off; allowed {:.3f} m, {:.1f}",
+                              corrections_, error.distance, degrees(error.heading), parameters.coarse_position,
+                              degrees(parameters.coarse_heading));
   return Verdict::kGivesUp;
 }
 

@@ -49,14 +49,14 @@ class Arrival {
     kGivesUp,   // outside that too: see why_given_up()
   };
 
-  // For each step in which the robot is to stand at its goal.
+  // Judges a step in which the robot is to stand at its goal; to be called in each.
   Verdict judge(const ArrivalParameters& parameters, const Situation& situation, const PoseError& error);
 
-  // After a pause for another reason it has to stand anew.
+  // To be called at a pause for another reason: the robot has to stand for as long again.
   void interrupt() { standing_since_ = 0; }
 
   int corrections() const { return corrections_; }
-  // Empty until it has.
+  // Why it has given up; empty until then.
   const std::string& why_given_up() const { return why_given_up_; }
 
  private:

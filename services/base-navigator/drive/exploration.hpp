@@ -22,14 +22,15 @@ struct ExploreParameters {
 
 class Exploration {
  public:
-  // Nothing while the heading is known: to `heading_sigma` (rad) when it stands, better once it has begun to creep.
+  // What to do to learn the heading; nothing while it is known: to `heading_sigma` (rad) when the robot stands, better
+  // once it has begun to creep.
   std::optional<Advice> step(const ExploreParameters& parameters, double heading_sigma, const PathGuard& guard,
                              const Situation& situation, double clearance);
 
-  // After a pause for another reason it begins anew.
+  // To be called at a pause for another reason: the next step begins anew.
   void interrupt() { active_ = false; }
-  // Another goal: it may be tried once more.
-  void permit() { failed_ = false; }
+  // To be called for another goal: the heading may be looked for once more.
+  void forget_failure() { failed_ = false; }
 
   // It has gone as far as it may, in vain.
   bool failed() const { return failed_; }

@@ -30,7 +30,8 @@ struct LegStep {
 
 Course course_of(const LegDriveParameters& parameters, const Leg& leg, const Situation& situation);
 
-// One step, at the goal's speed at most. Never slower than a creep, but for what stands in the way.
+// Drives one step of the leg, at the goal's speed at most, and never slower than a creep unless something stands in the
+// way.
 LegStep drive_leg(const LegDriveParameters& parameters, const PathGuard& guard, const Situation& situation,
                   const Assignment& goal, const Leg& leg, PassageState& passage);
 

@@ -67,7 +67,7 @@ Advice Manoeuvre::turn(const Situation& situation, const Assignment& goal, doubl
     return settle(situation, goal, state);
   }
   const auto room =
-      state.room.make(parameters_.turn, guard_, situation, goal.clearance, turn, state.arrival.corrections());
+      state.room.step(parameters_.turn, guard_, situation, goal.clearance, turn, state.arrival.corrections());
   return room ? *room : advice_of(turn.passage);
 }
 

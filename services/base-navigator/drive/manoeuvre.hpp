@@ -37,7 +37,7 @@ class Manoeuvre {
 
   Advice step(const Situation& situation, const Assignment& goal, ManoeuvreState& state) const;
 
-  // After a pause for another reason: what was under way is planned anew.
+  // To be called at a pause for another reason: what was under way is planned anew.
   static void interrupt(ManoeuvreState& state);
 
  private:

@@ -19,7 +19,7 @@ struct GuardedTurn {
   FreePath free;
 };
 
-// What a stage answers that moves by it: driving or blocked.
+// The advice of a stage that moves by `passage`: driving or blocked.
 Advice advice_of(const Passage& passage);
 
 // Clearances in m, 0 or more; speeds above 0. `state` is the memory of the motion that is under way.
@@ -31,16 +31,17 @@ class PathGuard {
   // m of straight path that is free, `length` at most.
   double straight_room(const Situation& situation, double clearance, Direction direction, double length) const;
 
-  // Straight on at `speed` (m/s).
+  // What is left of a motion straight on at `speed` (m/s).
   Passage straight(const Situation& situation, double clearance, Direction direction, double speed,
                    PassageState& state) const;
 
-  // `desired`, with the steering law's curvature, on its course to a pose V.
+  // What is left of `desired`, with the steering law's curvature, on the course to a pose V.
   Passage course(const CourseParameters& parameters, const Situation& situation, double clearance,
                  const geometry::PlanePose& X_VR, Direction direction, const Motion& desired,
                  PassageState& state) const;
 
-  // On the spot by `angle` (rad, counter-clockwise) at `rate` (rad/s), with the passage's turn_clearance at most.
+  // What is left of a turn on the spot by `angle` (rad, counter-clockwise) at `rate` (rad/s), with the passage's
+  // turn_clearance at most.
   GuardedTurn turn(const Situation& situation, double clearance, double angle, double rate, PassageState& state) const;
 
   const MotionParameters& motion() const { return motion_; }

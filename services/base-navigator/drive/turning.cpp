@@ -21,7 +21,7 @@ GuardedTurn turn_on_spot(const PathGuard& guard, const Situation& situation, dou
   return guard.turn(situation, clearance, angle, rate, passage);
 }
 
-std::optional<Advice> TurningRoom::make(const TurnParameters& parameters, const PathGuard& guard,
+std::optional<Advice> TurningRoom::step(const TurnParameters& parameters, const PathGuard& guard,
                                         const Situation& situation, double clearance, const GuardedTurn& turn,
                                         int corrections) {
   if (!turn.free.limited) return std::nullopt;

@@ -24,12 +24,13 @@ GuardedTurn turn_on_spot(const PathGuard& guard, const Situation& situation, dou
 // What it takes to go where a turn has room: straight away from what stands in its way, and no farther than allowed.
 class TurningRoom {
  public:
-  // One step away from what blocks `turn`; nothing where that is not possible. `corrections`: made at the goal so far.
-  std::optional<Advice> make(const TurnParameters& parameters, const PathGuard& guard, const Situation& situation,
+  // Makes a step away from what blocks `turn`; nothing where that is not possible. `corrections`: made at the goal so
+  // far.
+  std::optional<Advice> step(const TurnParameters& parameters, const PathGuard& guard, const Situation& situation,
                              double clearance, const GuardedTurn& turn, int corrections);
 
-  // For every step, `turning` or not: all the way since the last one counts, also what it rolls on before it tries to
-  // turn again.
+  // To be called in every step, `turning` or not: counts how far the robot went since the last one, also what it rolls
+  // on before it tries to turn again.
   void count(const Situation& situation, bool turning);
 
   double made() const { return made_; }  // m

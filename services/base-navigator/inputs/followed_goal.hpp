@@ -17,12 +17,13 @@ class FollowedGoal {
  public:
   // What became of a goal, new or repeated, heard while the stop is `latched` or not.
   motion::GoalHeard observe(const TrustParameters& trust, const Goal& goal, const OdometryTrack& track, bool latched);
-  // At the first odometry: a goal heard before any time came is judged, so that none waits for its hour.
+  // To be called at the first odometry: ends a goal that came before any time, unless it is fresh now, so that none
+  // waits for its hour.
   void end_unless_fresh(const TrustParameters& trust, const OdometryTrack& track);
 
-  // The goal will not be taken up again: a stop.
+  // Ends the goal, at a stop: it will not be taken up again.
   void end();
-  // Likewise, and why_none() says so until the next one: another beginning, `why` for people.
+  // Ends it likewise at another beginning, `why` for people: why_none() says so until the next one.
   void drop(const std::string& why);
 
   const std::optional<Goal>& goal() const { return goal_; }

@@ -10,7 +10,7 @@ class MotionEnable {
  public:
   // The base's own STOP_STATE.
   void observe_stop(bool latched, const std::string& reason);
-  // Who contradict each other; empty when none do.
+  // `why`: which two contradict each other; empty when none do.
   void observe_conflict(const std::string& why) { conflict_ = why; }
 
   // False also before the first STOP_STATE.

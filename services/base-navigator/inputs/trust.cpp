@@ -1,6 +1,6 @@
 #include "services/base-navigator/inputs/trust.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "common/motion/freshness.hpp"
 
@@ -38,19 +38,15 @@ std::string why_lost(const TrustParameters& trust, const ExploreParameters& expl
   const bool may_explore = explore.enabled && !heading_known;
   if (pose.state == Localisation::kSearching && !may_explore) return "ROBOT_POSE is searching: " + pose.reason;
   const double allowed = may_explore ? explore.position_sigma : trust.position_sigma;
-  char text[160];
   if (pose.position_sigma > allowed) {
-    std::snprintf(text, sizeof text, "the position's sigma is %.2f m; allowed: %.2f m", pose.position_sigma, allowed);
-    return text;
+    return fmt::format("the position's sigma is {:.2f} m; allowed: {:.2f} m", pose.position_sigma, allowed);
   }
   if (!heading_known && !may_explore) {
-    std::snprintf(text, sizeof text, "the heading's sigma is %.2f rad; allowed: %.2f rad", pose.heading_sigma,
-                  trust.heading_sigma);
-    return text;
+    return fmt::format("the heading's sigma is {:.2f} rad; allowed: {:.2f} rad", pose.heading_sigma,
+                       trust.heading_sigma);
   }
   if (!heading_known && exploration_failed) {
-    std::snprintf(text, sizeof text, "the heading did not become known within %.2f m", explore.distance);
-    return text;
+    return fmt::format("the heading did not become known within {:.2f} m", explore.distance);
   }
   return "";
 }

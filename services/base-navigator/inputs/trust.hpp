@@ -25,12 +25,12 @@ struct TrustParameters {
   double restart_guard = 0.6;
 };
 
-// Each is empty when nothing speaks against it.
+// Each gives a reason, empty when nothing speaks against what is asked of.
 
-// `utime` (us) of a goal against the newest odometry's.
+// Why a goal of `utime` (us) is too old or too far ahead by the newest odometry.
 std::string why_goal_is_stale(const TrustParameters& trust, std::int64_t utime, const OdometryTrack& track);
 
-// Of wheels, pose or sonars.
+// Why what is known of wheels, pose or sonars is too old.
 std::string why_stale(const TrustParameters& trust, const OdometryTrack& track, const std::optional<PoseSample>& pose,
                       const SonarMemory& sonars);
 

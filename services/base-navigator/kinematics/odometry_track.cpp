@@ -1,8 +1,9 @@
 #include "services/base-navigator/kinematics/odometry_track.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace markservo::base_navigator {
 
@@ -10,7 +11,7 @@ using geometry::PlanePose;
 
 std::string OdometryTrack::add(const OdometryParameters& parameters, const OdometrySample& sample) {
   if (first_utime_ == 0 || sample.utime < first_utime_) first_utime_ = sample.utime;
-  problem_ = take(parameters, sample);
+  problem_ = accept(parameters, sample);
   return problem_;
 }
 
@@ -20,8 +21,7 @@ void OdometryTrack::forget() {
   problem_.clear();
 }
 
-std::string OdometryTrack::take(const OdometryParameters& parameters, const OdometrySample& sample) {
-  char text[160];
+std::string OdometryTrack::accept(const OdometryParameters& parameters, const OdometrySample& sample) {
   if (history_.empty()) {
     begin(sample);
     return "";
@@ -29,8 +29,7 @@ std::string OdometryTrack::take(const OdometryParameters& parameters, const Odom
   const Entry& last = history_.back();
   const double seconds = seconds_between(last.utime, sample.utime);
   if (seconds <= 0.0) {
-    std::snprintf(text, sizeof text, "utime is %.3f s before or at the newest; allowed: growing", -seconds);
-    return text;
+    return fmt::format("utime is {:.3f} s before or at the newest; allowed: growing", -seconds);
   }
   if (seconds > parameters.gap) {
     begin(sample);
@@ -40,9 +39,8 @@ std::string OdometryTrack::take(const OdometryParameters& parameters, const Odom
   const double right = sample.right - last.right;
   const double allowed = 2.0 * parameters.wheel_speed * seconds + parameters.jump;
   if (const double way = std::max(std::abs(left), std::abs(right)); way > allowed) {
-    std::snprintf(text, sizeof text, "a wheel went %.3f m in %.3f s; allowed: %.3f m", way, seconds, allowed);
     begin(sample);
-    return text;
+    return fmt::format("a wheel went {:.3f} m in {:.3f} s; allowed: {:.3f} m", way, seconds, allowed);
   }
   const double way = 0.5 * (left + right);
   const double turn = (right - left) / parameters.track;

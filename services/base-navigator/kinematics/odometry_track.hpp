@@ -40,7 +40,7 @@ class OdometryTrack {
   std::optional<geometry::PlanePose> at(std::int64_t utime, double beyond) const;
   double speed() const { return speed_; }          // m/s, forward
   double turn_rate() const { return turn_rate_; }  // rad/s, counter-clockwise
-  // Another number for every new frame O: what was seen in an earlier one cannot be placed any more.
+  // The number of the frame O, another one for every new O: what was seen in an earlier one cannot be placed any more.
   int epoch() const { return epoch_; }
 
  private:
@@ -51,7 +51,7 @@ class OdometryTrack {
     geometry::PlanePose X_OR;
   };
 
-  std::string take(const OdometryParameters& parameters, const OdometrySample& sample);
+  std::string accept(const OdometryParameters& parameters, const OdometrySample& sample);
   void begin(const OdometrySample& sample);
   void measure_speed(const OdometryParameters& parameters);
 

@@ -21,10 +21,10 @@ inline double sign_of(Direction direction) {
   return direction == Direction::kForward ? 1.0 : -1.0;
 }
 
-// Straight on, forward or backward, for `length` m; poses are at most `step` m apart.
+// A path straight on, forward or backward, for `length` m; poses are at most `step` m apart.
 std::vector<PathPose> straight_path(Direction direction, double step, double length);
 
-// On the spot by `angle` (rad, counter-clockwise). Lengths are those that the outline's farthest corner goes.
+// A turn on the spot by `angle` (rad, counter-clockwise). Lengths are those that the outline's farthest corner goes.
 std::vector<PathPose> turning_path(const Outline& outline, double angle, double step);
 
 }  // namespace markservo::base_navigator

@@ -9,7 +9,7 @@ namespace markservo::base_navigator {
 // `braking` per second. 0 where distance is 0 or less. braking and reaction are above 0.
 double stopping_speed(double distance, double braking, double reaction);
 
-// From `speed` to rest: the inverse of the above.
+// The distance in which one stops from `speed`: the inverse of the above.
 double stopping_distance(double speed, double braking, double reaction);
 
 // The speed `seconds` after `from` on the way to `target`: it grows by `acceleration` per second at most, and falls

@@ -1,6 +1,6 @@
 #include "services/base-navigator/obstacles/passage.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "services/base-navigator/kinematics/speed_profile.hpp"
 #include "services/base-navigator/navigator_types.hpp"
@@ -39,14 +39,9 @@ Passage pass(const PassageParameters& parameters, double braking, const FreePath
     passage.motion.brake = true;
   }
   if (!state.blocked) return passage;
-  char text[160];
-  if (free.limited) {
-    std::snprintf(text, sizeof text, "something %.2f m %s of the robot; it keeps %.2f m", free.distance,
-                  side_of(free.bearing).c_str(), clearance);
-  } else {
-    std::snprintf(text, sizeof text, "the way is free; waiting %.1f s", parameters.free_for);
-  }
-  passage.reason = text;
+  passage.reason = free.limited ? fmt::format("something {:.2f} m {} of the robot; it keeps {:.2f} m", free.distance,
+                                              side_of(free.bearing), clearance)
+                                : fmt::format("the way is free; waiting {:.1f} s", parameters.free_for);
   return passage;
 }
 

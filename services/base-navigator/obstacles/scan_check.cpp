@@ -1,6 +1,6 @@
 #include "services/base-navigator/obstacles/scan_check.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace markservo::base_navigator {
 namespace {
@@ -11,10 +11,8 @@ constexpr double kUnlike = 2.0;       // times robot.yaml's value, or that part 
 // Empty unless a scan's value differs so much from robot.yaml's that its echoes mean something else.
 std::string why_unlike(const char* what, double value, double configured, const char* unit) {
   if (value >= configured / kUnlike && value <= configured * kUnlike) return "";
-  char text[160];
-  std::snprintf(text, sizeof text, "%s is %.3f %s; allowed: %.3f to %.3f (robot.yaml: %.3f)", what, value, unit,
-                configured / kUnlike, configured * kUnlike, configured);
-  return text;
+  return fmt::format("{} is {:.3f} {}; allowed: {:.3f} to {:.3f} (robot.yaml: {:.3f})", what, value, unit,
+                     configured / kUnlike, configured * kUnlike, configured);
 }
 
 }  // namespace
@@ -30,11 +28,8 @@ std::string ScanCheck::why_refused(const SonarScanSample& scan) const {
   for (std::size_t i = 0; i < scan.readings.size(); ++i) {
     const double off = scan.readings[i].X_RS.distance();
     if (off <= sonars_.ring_radius + kMounting_m) continue;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "sonar %zu is %.2f m from the robot's origin; allowed: %.2f m (ring_radius + %.2f)", i, off,
-                  sonars_.ring_radius + kMounting_m, kMounting_m);
-    return text;
+    return fmt::format("sonar {} is {:.2f} m from the robot's origin; allowed: {:.2f} m (ring_radius + {:.2f})", i, off,
+                       sonars_.ring_radius + kMounting_m, kMounting_m);
   }
   return "";
 }

@@ -22,7 +22,7 @@ struct ColourMeasurement {
   int unclipped = 0;    // pixels that are neither clipped nor dark
 };
 
-// From pixels well inside the mark in both images.
+// Measures pixels well inside the mark in both images.
 ColourMeasurement measure_colour(const ImageView& left, const Region& in_left, const ImageView& right,
                                  const Region& in_right, int samples_per_side);
 

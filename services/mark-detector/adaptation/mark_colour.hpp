@@ -9,7 +9,7 @@
 
 namespace markservo::mark_detector {
 
-// As the robot's description has it.
+// A mark's colour as the robot's description has it.
 struct NominalColour {
   robot::ColourInterval interval;
   double low = 0.0;         // degrees, [0, 360)
@@ -19,7 +19,7 @@ struct NominalColour {
   Bgr colour{};             // levels, in the middle
 };
 
-// One a mark, in their order.
+// The nominal colour of each mark, in their order.
 std::vector<NominalColour> nominal_colours(const std::vector<robot::MarkDescription>& marks);
 
 // What is known of one mark's colour.

@@ -45,10 +45,10 @@ class BlobFinder {
   std::vector<std::size_t> rank_;  // of each region, its place in `kept_`
 };
 
-// The same once.
+// The same for one mask, without memory.
 BlobList find_blobs(const BitMask& mask, const BlobParameters& parameters);
 
-// All runs of all blobs, ordered as one blob's.
+// Puts all runs of all blobs into `runs`, ordered as one blob's.
 void merge(const BlobList& list, std::vector<PixelRun>& runs);
 
 }  // namespace markservo::mark_detector

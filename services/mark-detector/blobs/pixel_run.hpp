@@ -14,7 +14,7 @@ struct PixelRun {
   int end = 0;
 };
 
-// In the order of rows, then of columns.
+// Whether `a` comes before `b` in the order of rows, then of columns.
 inline bool before(const PixelRun& a, const PixelRun& b) {
   return a.v != b.v ? a.v < b.v : a.begin < b.begin;
 }

@@ -4,7 +4,7 @@
 
 namespace markservo::mark_detector {
 
-// The whole file. Throws ConfigurationError if it cannot be read.
+// The whole content of the file at `path`. Throws ConfigurationError if it cannot be read.
 std::string read_file(const std::string& path);
 
 // Gives a file new content at once: a reader sees the old or the new, and a failure leaves the old. Permissions stay; a

@@ -1,11 +1,11 @@
 #include "services/mark-detector/learning/robot_file_edit.hpp"
 
+#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdio>
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
@@ -26,9 +26,7 @@ std::array<Key, 3> keys_of(const robot::ColourInterval& colour) {
 }
 
 std::string number(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.10g", value);
-  std::string text = buffer;
+  std::string text = fmt::format("{:.10g}", value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }

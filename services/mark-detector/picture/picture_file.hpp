@@ -9,7 +9,7 @@
 
 namespace markservo::mark_detector {
 
-// An empty image if the bytes are no picture; else 8-bit BGR.
+// The picture in `bytes`, 8-bit BGR; an empty image if they are none.
 cv::Mat decode_picture(const std::vector<std::uint8_t>& bytes);
 
 // `option` is what gave the path, for the error. Both throw ConfigurationError.

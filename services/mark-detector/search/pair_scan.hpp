@@ -24,7 +24,7 @@ struct PairMasks {
   std::array<imaging::BitMask, robot::kMaxMarks> left;
   std::array<imaging::BitMask, robot::kMaxMarks> right;
 
-  // All clear. Memory is kept.
+  // Clears all pixels. Memory is kept.
   void reset(std::size_t num_marks, int width, int height);
 };
 
@@ -43,7 +43,7 @@ class PairScan {
 
   void search_everywhere(MarkSet marks) const;
 
-  // Of `marks` those that a few rows show something of; the masks stay clear. There must be a right image.
+  // Those of `marks` of which a few rows show something; the masks stay clear. There must be a right image.
   MarkSet in_sight(MarkSet marks, int first_row, const SearchParameters& parameters) const;
 
   // Looks around a mark's last shapes. There must be a right image.

@@ -16,11 +16,11 @@ struct Track {
   int height = 0;  // px
   int age = 0;     // frames since then
 
-  // For each new frame, of images of that size: forgets a place of more than `memory_frames` ago, and one of images of
-  // another size.
+  // To be called for each new frame, of images of that size: forgets a place of more than `memory_frames` ago, and one
+  // in images of another size.
   void begin_frame(int image_width, int image_height, int memory_frames);
 
-  // Both images of the frame before showed the mark.
+  // Whether both images of the frame before showed the mark.
   bool is_fresh() const { return known && age == 1; }
 };
 

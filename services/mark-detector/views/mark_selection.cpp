@@ -1,9 +1,10 @@
 #include "services/mark-detector/views/mark_selection.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 
 namespace markservo::mark_detector {
@@ -11,13 +12,6 @@ namespace {
 
 double ratio(double a, double b) {
   return std::max(a, b) / std::max(1.0, std::min(a, b));
-}
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
 }
 
 // The blob of one image alone: nearest to (u, v), or the largest.
@@ -83,19 +77,19 @@ std::string inconsistency(const Shape& left, const Shape& right, const Selection
     case Contradiction::kNone:
       break;
     case Contradiction::kRows:
-      return text("the blobs' rows differ by %.1f px, allowed %.1f px", j.rows, j.rows_allowed);
+      return fmt::format("the blobs' rows differ by {:.1f} px, allowed {:.1f} px", j.rows, j.rows_allowed);
     case Contradiction::kDisparity:
-      return text("the blobs' disparity is %.1f px, allowed above 0 px", j.disparity);
+      return fmt::format("the blobs' disparity is {:.1f} px, allowed above 0 px", j.disparity);
     case Contradiction::kHeights:
-      return text("the blobs' heights are %d and %d px, allowed ratio %.2f", left.height, right.height,
-                  parameters.height_ratio_max);
+      return fmt::format("the blobs' heights are {} and {} px, allowed ratio {:.2f}", left.height, right.height,
+                         parameters.height_ratio_max);
     case Contradiction::kAreas:
-      return text("the blobs' areas are %.0f and %.0f px, allowed ratio %.2f", left.area, right.area,
-                  parameters.area_ratio_max);
+      return fmt::format("the blobs' areas are {:.0f} and {:.0f} px, allowed ratio {:.2f}", left.area, right.area,
+                         parameters.area_ratio_max);
     case Contradiction::kSize:
-      return text(
-          "the blobs have %.0f px where the mark's size and their disparity of %.0f px make %.0f px, "
-          "allowed %.0f to %.0f %%",
+      return fmt::format(
+          "the blobs have {:.0f} px where the mark's size and their disparity of {:.0f} px make {:.0f} px, "
+          "allowed {:.0f} to {:.0f} %",
           j.area, j.disparity, j.expected_area, 100.0 * parameters.expected_area_min,
           100.0 * parameters.expected_area_max);
   }

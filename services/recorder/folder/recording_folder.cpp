@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "services/recorder/manifest/manifest_file.hpp"
 #include "services/recorder/refusal.hpp"
 
 namespace markservo::recorder {
@@ -118,7 +117,6 @@ void RecordingFolder::release_reserve() const {
 
 void RecordingFolder::undo() const {
   release_reserve();
-  remove_manifest(path_);
   for (const Part& part : parts()) remove(part.name);
   std::error_code ignored;
   if (made_) fs::remove(path_, ignored);

@@ -18,7 +18,7 @@ class RecordingFolder {
   // Makes logs_dir/TIME, `utime` (us since the epoch) as the local clock shows it; nothing where somebody else has
   // taken that second. Throws Refusal.
   static std::optional<RecordingFolder> dated(const std::string& logs_dir, std::int64_t utime);
-  // One that is there.
+  // A folder that is there already.
   static RecordingFolder existing(const std::string& path);
 
   RecordingFolder(RecordingFolder&& other) noexcept;
@@ -30,7 +30,8 @@ class RecordingFolder {
   std::string name() const { return path_.substr(path_.rfind('/') + 1); }
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
-  // False while a recording goes into it. Whoever writes there holds the lock, and it ends with him.
+  // Takes the folder for this recording; false while another one goes into it. Whoever writes there holds the lock, and
+  // it ends with him.
   bool lock();
   int lock_descriptor() const { return lock_; }
 
@@ -46,7 +47,8 @@ class RecordingFolder {
   bool reserve() const;
   void release_reserve() const;
 
-  // Nothing was recorded: neither its files nor, where it was made for them, the folder are left behind.
+  // Nothing was recorded: neither its parts nor, where it was made for them, the folder are left behind. What else was
+  // written there is to be gone before.
   void undo() const;
 
  private:

@@ -28,6 +28,8 @@ class LoggerFlush {
   explicit LoggerFlush(std::int64_t told_us, FlushParameters parameters = {})
       : parameters_(parameters), told_us_(told_us) {}
 
+  // Whether nothing is queued any more, told from where its threads wait at `now_us`; also when the disk has failed. To
+  // be called again and again until then.
   bool has_written(const LoggerThreads& threads, std::int64_t now_us);
 
  private:

@@ -2,7 +2,7 @@
 
 namespace markservo::recorder {
 
-LoggerReadiness::State LoggerReadiness::look(const LoggerSight& sight, std::int64_t now_us) {
+LoggerReadiness::State LoggerReadiness::observe(const LoggerSight& sight, std::int64_t now_us) {
   if (!sight.alive) return State::kFailed;
   if (!joined_us_) {
     if (!has_joined(sight, now_us)) return State::kStarting;

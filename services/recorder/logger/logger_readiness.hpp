@@ -38,7 +38,7 @@ class LoggerReadiness {
       : parameters_(parameters), over_tcp_(over_tcp), started_us_(started_us) {}
 
   // `now_us`, of a clock that nobody sets, does not go back.
-  State look(const LoggerSight& sight, std::int64_t now_us);
+  State observe(const LoggerSight& sight, std::int64_t now_us);
 
  private:
   bool has_joined(const LoggerSight& sight, std::int64_t now_us) const;

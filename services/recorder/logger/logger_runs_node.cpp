@@ -52,7 +52,7 @@ bool LoggerRuns::await_listening() {
   State before = State::kStarting;
   while (true) {
     const LoggerSight sight{is_alive(), logger_->threads(), words().says_self_test_failed()};
-    const State state = readiness.look(sight, steady_clock_us());
+    const State state = readiness.observe(sight, steady_clock_us());
     if (state == State::kTesting && before != state) listens_since_ = wall_clock_us();
     if (state == State::kListens || state == State::kFailed) return state == State::kListens;
     before = state;

@@ -8,7 +8,7 @@ namespace markservo::recorder {
 class RestartPace {
  public:
   // One died that had lived so long: how long to wait, us. Not at all, and, where more die soon after their start, 0.5,
-  // 1, 2, 4 and then always 5 s.
+  // 1 and then always 2 s.
   std::int64_t pause_us(std::int64_t lived_us);
 
  private:

@@ -58,7 +58,7 @@ void complete(Json* manifest, const ManifestEnd& end);
 // What `found` is where nothing was recorded.
 Json nothing_found();
 
-// As it stands in the file.
+// The manifest as it stands in its file.
 std::string manifest_text(const Json& manifest);
 
 }  // namespace markservo::recorder

@@ -13,7 +13,7 @@ bool write_manifest(const std::string& folder, const Json& manifest);
 // Reads it; null where there is none, or no JSON.
 Json read_manifest(const std::string& folder);
 
-// Where it stands.
+// Where the folder's manifest stands.
 std::string manifest_path(const std::string& folder);
 
 // What a writer that was killed may have left of it besides.

@@ -1,13 +1,15 @@
 #include "services/recorder/manifest/source_reader.hpp"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
-#include <sstream>
 #include <vector>
 
 #include "common/reflection/type_catalog.hpp"
 #include "services/recorder/manifest/configuration.hpp"
+#include "services/recorder/plain_path.hpp"
 #include "services/recorder/process.hpp"
 
 namespace markservo::recorder {
@@ -21,13 +23,45 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-std::string text_of_file(const std::string& path) {
+// Nothing where it cannot be read.
+std::optional<std::string> text_of_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  // An empty file gives nothing, which counts as a failure of `text`.
-  if (!file.is_open() || file.bad()) throw ConfigurationUnreadable(path + ": cannot be read");
-  return text.str();
+  std::string text;
+  std::array<char, 4096> piece{};
+  while (file.read(piece.data(), piece.size()) || file.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.is_open() || file.bad()) return std::nullopt;
+  return text;
+}
+
+bool is_kept(const fs::directory_entry& entry) {
+  std::error_code error;
+  if (entry.is_symlink(error) || !entry.is_regular_file(error)) return false;
+  const std::uintmax_t size = entry.file_size(error);
+  return error || size < kTooLarge;  // one that cannot be asked cannot be read either, which is told
+}
+
+// Adds the files in `folder`, and in the folders below it, that are kept; to `unreadable` the folders that cannot be
+// read.
+void gather(const std::string& folder, std::set<std::string>* files, std::vector<std::string>* unreadable) {
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code none;
+    if (is_kept(*entry)) {
+      files->insert(entry->path());
+    } else if (!entry->is_symlink(none) && entry->is_directory(none)) {
+      gather(entry->path(), files, unreadable);
+    }
+  }
+  if (error) unreadable->push_back(folder);
+}
+
+std::string canonical_or_plain(const std::string& path) {
+  std::error_code error;
+  const std::string canonical = fs::canonical(path, error).string();
+  return error ? plain_path(path) : canonical;
 }
 
 // The file of that name beside this program.
@@ -57,19 +91,23 @@ std::string lcm_version() {
   return output_of({"dpkg-query", "-W", "-f", "${Version}", "liblcm-bin"}).text;
 }
 
-Json read_configuration(const std::string& config_dir, const std::string& robot_file, const std::string& project) {
-  try {
-    const std::string folder = fs::canonical(config_dir).string();
-    std::set<std::string> paths = {fs::canonical(robot_file).string()};
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      if (!entry.is_symlink() && entry.is_regular_file() && entry.file_size() < kTooLarge) paths.insert(entry.path());
-    }
-    std::vector<ConfigurationFile> files;
-    for (const std::string& path : paths) files.push_back({kept_path(path, folder, project), text_of_file(path)});
-    return configuration_json(files);
-  } catch (const fs::filesystem_error& error) {
-    throw ConfigurationUnreadable(error.what());
+ReadConfiguration read_configuration(const std::string& config_dir, const std::string& robot_file,
+                                     const std::string& project) {
+  const ConfigurationSources sources{canonical_or_plain(config_dir), canonical_or_plain(robot_file), project};
+  ReadConfiguration read;
+  std::set<std::string> found = {sources.robot_file};
+  gather(sources.config_dir, &found, &read.unreadable);
+  const std::vector<std::string> paths(found.begin(), found.end());
+  const std::vector<std::string> kept = kept_paths(paths, sources);
+  std::vector<ConfigurationFile> files;
+  std::string robot_kept;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    files.push_back({kept[i], text_of_file(paths[i])});
+    if (!files.back().text) read.unreadable.push_back(paths[i]);
+    if (paths[i] == sources.robot_file) robot_kept = kept[i];
   }
+  read.kept = configuration_json(files, robot_kept);
+  return read;
 }
 
 Json found_in(const RecordingFolder& folder) {

@@ -1,18 +1,12 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "services/recorder/folder/recording_folder.hpp"
 #include "services/recorder/manifest/manifest.hpp"
 
 namespace markservo::recorder {
-
-// A file of the configuration cannot be read.
-class ConfigurationUnreadable : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 // The commit of the project that is checked out in `project`, and whether files differ from it; null where git knows
 // none.
@@ -24,9 +18,14 @@ Json message_types();
 // The version of Debian's package with lcm-logger; empty where dpkg knows none.
 std::string lcm_version();
 
-// As configuration_json has it: all files in `config_dir` that are smaller than 1 MiB, and `robot_file`. Throws
-// ConfigurationUnreadable.
-Json read_configuration(const std::string& config_dir, const std::string& robot_file, const std::string& project);
+struct ReadConfiguration {
+  Json kept;                            // as configuration_json has it
+  std::vector<std::string> unreadable;  // files and folders, absolute
+};
+
+// All files in `config_dir` and its folders that are smaller than 1 MiB, and `robot_file`.
+ReadConfiguration read_configuration(const std::string& config_dir, const std::string& robot_file,
+                                     const std::string& project);
 
 // What log-tool finds in a recording: log-tool info --json; null where it cannot tell. Ctrl-C does not end it.
 Json found_in(const RecordingFolder& folder);

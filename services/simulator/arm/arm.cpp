@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "common/geometry/degrees.hpp"
 #include "services/simulator/arm/arm_mjcf.hpp"
-#include "services/simulator/degrees.hpp"
 
 namespace markservo::simulator {
 namespace {
@@ -23,7 +23,7 @@ Arm::Arm(const mjModel_* model, mjData_* data, const robot::ArmDescription& arm,
     : arm_(arm), settings_(servos) {
   const double start_deg[] = {start.start_yaw_deg, start.start_shoulder_deg, start.start_elbow_deg};
   for (std::size_t i = 0; i < robot::kNumJoints; ++i) {
-    const double angle = start_deg[i] * kRadiansPerDegree;
+    const double angle = start_deg[i] * geometry::kRadiansPerDegree;
     joints_.push_back({joint_address(model, kArmJoints[i]), ServoModel(angle)});
     data->qpos[joints_.back().address.qpos] = angle;
   }
@@ -43,11 +43,12 @@ void Arm::freeze() {
 
 ServoParameters Arm::parameters(std::size_t joint) const {
   ServoParameters parameters;
-  parameters.speed = settings_.speed_deg_s > 0.0 ? settings_.speed_deg_s * kRadiansPerDegree : arm_.joints[joint].speed;
-  parameters.acceleration = settings_.acceleration_deg_s2 * kRadiansPerDegree;
-  parameters.deadband = settings_.deadband_deg * kRadiansPerDegree;
+  parameters.speed =
+      settings_.speed_deg_s > 0.0 ? settings_.speed_deg_s * geometry::kRadiansPerDegree : arm_.joints[joint].speed;
+  parameters.acceleration = settings_.acceleration_deg_s2 * geometry::kRadiansPerDegree;
+  parameters.deadband = settings_.deadband_deg * geometry::kRadiansPerDegree;
   parameters.deadband_kind = settings_.deadband_kind == 0.0 ? DeadbandKind::kStopsAtEdge : DeadbandKind::kRunsHome;
-  parameters.backlash = settings_.backlash_deg * kRadiansPerDegree;
+  parameters.backlash = settings_.backlash_deg * geometry::kRadiansPerDegree;
   return parameters;
 }
 
@@ -56,7 +57,7 @@ void Arm::drive(mjData_* data, double dt) {
     Joint& joint = joints_[i];
     // The joint is where the step begins: against the shaft at its end it would run ahead by a step.
     const double behind = joint.servo.shaft() - data->qpos[joint.address.qpos];
-    joint.servo.advance(parameters(i), dt);
+    joint.servo.step(parameters(i), dt);
     const double torque = kJointStiffness * behind + kJointDamping * joint.servo.shaft_speed();
     // qfrc_bias carries weight and gyroscopic forces: the drive holds the arm's own weight without bending.
     data->qfrc_applied[joint.address.dof] =

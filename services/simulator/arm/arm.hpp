@@ -24,12 +24,12 @@ class Arm {
 
   void change(const ServoSettings& servos) { settings_ = servos; }
 
-  // The gripper's part of it is not the arm's.
+  // Takes the joints' part of a command.
   void command(const ArmCommand& command);
   // The ramps stop where they are.
   void freeze();
 
-  // Between MuJoCo's two halves of a step of `dt` (s): the servos' torques.
+  // Sets the servos' torques, between MuJoCo's two halves of a step of `dt` (s).
   void drive(mjData_* data, double dt);
 
   // What the servos' controller knows, without the gripper.

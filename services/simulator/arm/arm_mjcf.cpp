@@ -2,10 +2,10 @@
 
 #include <cstddef>
 
+#include "common/geometry/degrees.hpp"
 #include "common/robot/arm_kinematics.hpp"
 #include "services/simulator/arm/gripper_mjcf.hpp"
 #include "services/simulator/contacts/contact_classes.hpp"
-#include "services/simulator/degrees.hpp"
 #include "services/simulator/marks/mark_mjcf.hpp"
 #include "services/simulator/model/mjcf_writer.hpp"
 #include "services/simulator/model/robot_colours.hpp"
@@ -71,7 +71,7 @@ robot::ArmDescription true_arm(const robot::ArmDescription& described, const Cal
                                const ArmSettings& settings) {
   ArmDescription arm = described;
   arm.p_CA += Vector3d(calibration.arm_x, calibration.arm_y, calibration.arm_z);
-  arm.yaw_CA += calibration.arm_yaw_deg * kRadiansPerDegree;
+  arm.yaw_CA += calibration.arm_yaw_deg * geometry::kRadiansPerDegree;
   arm.column *= settings.link_scale;
   arm.upper_arm *= settings.link_scale;
   arm.forearm *= settings.link_scale;

@@ -28,7 +28,7 @@ inline constexpr Setting<ArmSettings> kArmSettings[] = {
 // Throws ConfigurationError if the robot has none.
 const robot::ArmDescription& arm_of(const robot::RobotDescription& robot);
 
-// At `arm`'s home with the gripper open.
+// The start at `arm`'s home with the gripper open.
 ArmSettings default_arm_settings(const robot::ArmDescription& arm);
 
 // Throws ConfigurationError unless the start posture is inside the arm's limits and the opening inside the gripper's.

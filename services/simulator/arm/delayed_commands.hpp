@@ -25,7 +25,7 @@ class DelayedCommands {
     return due;
   }
 
-  void clear() { waiting_.clear(); }
+  void forget() { waiting_.clear(); }
 
  private:
   struct Entry {

@@ -21,15 +21,15 @@ class Gripper {
   Gripper(const mjModel_* model, mjData_* data, const robot::GripperDescription& gripper, double opening,
           const GripperSettings& settings);
 
-  // Takes over those that show at once.
+  // Takes over the settings that show at once.
   void change(const GripperSettings& settings) { settings_ = settings; }
 
-  // The arm's part of it is not the gripper's.
+  // Takes the gripper's part of a command.
   void command(const ArmCommand& command);
   // The opening's ramp stops where it is; the grip keeps its force.
   void freeze() { target_ = ramp_; }
 
-  // Between MuJoCo's two halves of a step of `dt` (s): the motor's force.
+  // Sets the motor's force, between MuJoCo's two halves of a step of `dt` (s).
   void drive(mjData_* data, double dt);
 
   double opening() const { return ramp_; }  // m, as its controller knows it

@@ -37,7 +37,7 @@ void ServoModel::drive_motor(const ServoParameters& parameters, double goal, dou
   motor_ += motor_speed_ * dt;
 }
 
-void ServoModel::advance(const ServoParameters& parameters, double dt) {
+void ServoModel::step(const ServoParameters& parameters, double dt) {
   const double old_ramp = ramp_;
   ramp_ = approach(ramp_, target_, std::min(speed_limit_, parameters.speed) * dt);
   ramp_speed_ = (ramp_ - old_ramp) / dt;

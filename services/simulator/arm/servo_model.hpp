@@ -30,14 +30,14 @@ class ServoModel {
   void freeze() { target_ = ramp_; }
 
   // Lets `dt` (s) pass.
-  void advance(const ServoParameters& parameters, double dt);
+  void step(const ServoParameters& parameters, double dt);
 
   double target() const { return target_; }
   double ramp() const { return ramp_; }                // rad, what is commanded to the servo now
   double motor() const { return motor_; }              // rad, behind the deadband
   double shaft() const { return shaft_; }              // rad, behind the backlash
-  double ramp_speed() const { return ramp_speed_; }    // rad/s, over the last advance
-  double shaft_speed() const { return shaft_speed_; }  // rad/s, over the last advance
+  double ramp_speed() const { return ramp_speed_; }    // rad/s, over the last step
+  double shaft_speed() const { return shaft_speed_; }  // rad/s, over the last step
   bool moving() const { return ramp_ != target_; }
 
  private:

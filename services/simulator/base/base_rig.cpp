@@ -9,10 +9,6 @@
 namespace markservo::simulator {
 namespace {
 
-constexpr std::uint64_t kBaseStream = 0x81;
-constexpr std::uint64_t kFloorStream = 0x82;
-constexpr std::uint64_t kReaderStream = 0x83;
-
 const robot::BaseDescription& base_of(const robot::RobotDescription& robot) {
   if (robot.base) return *robot.base;
   throw ConfigurationError("the robot has no base; allowed: a robot.yaml with section 'base'");
@@ -26,11 +22,12 @@ OdometryReading reading(const BaseModel& base, std::int64_t utime) {
 
 BaseRig::BaseRig(const robot::RobotDescription& robot, const BaseRigParameters& parameters,
                  const geometry::PlanePose& start, std::uint64_t seed, std::int64_t epoch)
-    : epoch_(epoch), utime_(epoch), base_(base_of(robot), parameters.base, start, seed_for(seed, kBaseStream, 0)) {
+    : epoch_(epoch), utime_(epoch), base_(base_of(robot), parameters.base, start, seed_for(seed, streams::kBase, 0)) {
   if (epoch <= 0) throw std::invalid_argument("BaseRig: epoch is " + std::to_string(epoch) + "; allowed: above 0 us");
   if (robot.rfid && robot.floor_tags) {
-    TagFloor floor(robot.floor_tags->field(parameters.tag_field), parameters.floor, seed_for(seed, kFloorStream, 0));
-    reader_.emplace(*robot.rfid, parameters.reader, std::move(floor), seed_for(seed, kReaderStream, 0));
+    TagFloor floor(robot.floor_tags->field(parameters.tag_field), parameters.floor,
+                   seed_for(seed, streams::kTagFloor, 0));
+    reader_.emplace(*robot.rfid, parameters.reader, std::move(floor), seed_for(seed, streams::kTagReader, 0));
     reader_->observe(utime_, start);
   }
   due_.odometry = reading(base_, utime_);

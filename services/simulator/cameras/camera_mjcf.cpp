@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "common/geometry/degrees.hpp"
 #include "common/robot/configuration_error.hpp"
-#include "services/simulator/degrees.hpp"
 #include "services/simulator/model/mjcf_writer.hpp"
 
 namespace markservo::simulator {
@@ -25,7 +25,7 @@ void require_drawable(const robot::CameraDescription& cameras) {
 }
 
 double vertical_view_deg(const robot::CameraDescription& cameras) {
-  return 2.0 * std::atan(0.5 * cameras.height / cameras.stereo.fy) / kRadiansPerDegree;
+  return 2.0 * std::atan(0.5 * cameras.height / cameras.stereo.fy) / geometry::kRadiansPerDegree;
 }
 
 std::string camera_pair(const robot::CameraDescription& cameras) {

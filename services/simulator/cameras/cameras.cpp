@@ -2,16 +2,14 @@
 
 #include <utility>
 
-#include "services/simulator/cameras/image_effects.hpp"
-#include "services/simulator/world/simulation.hpp"
-
 namespace markservo::simulator {
 
-ImagePair Cameras::show(const Simulation& simulation) {
-  ImagePair images = renderer_.render(simulation.world());
-  apply_effects(simulation.effects(), simulation.noise_seed_of(0), images.left);
-  apply_effects(simulation.effects(), simulation.noise_seed_of(1), images.right);
-  return lying_.show(simulation.settings().faults, std::move(images));
+ImagePair Cameras::show(const Physics& world, const ImageEffects& effects, const NoiseSeeds& noise,
+                        const FaultSettings& faults) {
+  ImagePair images = renderer_.render(world);
+  apply_effects(effects, noise.left, images.left);
+  apply_effects(effects, noise.right, images.right);
+  return faults_.apply(faults, std::move(images));
 }
 
 }  // namespace markservo::simulator

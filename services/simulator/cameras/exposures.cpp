@@ -9,7 +9,7 @@ namespace markservo::simulator {
 
 Exposures::Exposures(double rate_hz, std::int64_t first_step) : schedule_(rate_hz, kTimeStep, first_step) {}
 
-void Exposures::restart(double rate_hz, std::int64_t first_step) {
+void Exposures::begin_anew(double rate_hz, std::int64_t first_step) {
   schedule_ = FrameSchedule(rate_hz, kTimeStep, first_step);
   number_ = 0;
   exposed_step_ = -1;
@@ -34,8 +34,7 @@ std::int64_t Exposures::number_of(std::int64_t seq) const {
 }
 
 bool Exposures::lost(std::uint64_t seed, double drop_rate) const {
-  constexpr std::uint64_t kStream = 0x33;
-  return RandomBits(seed_for(seed, kStream, static_cast<std::uint64_t>(number_))).uniform() < drop_rate;
+  return RandomBits(seed_for(seed, streams::kLostFrames, static_cast<std::uint64_t>(number_))).uniform() < drop_rate;
 }
 
 }  // namespace markservo::simulator

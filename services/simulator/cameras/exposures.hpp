@@ -15,8 +15,8 @@ class Exposures {
   Exposures(double rate_hz, std::int64_t first_step);
 
   // Begins anew: the next frame is due at `first_step` and is number 1.
-  void restart(double rate_hz, std::int64_t first_step);
-  // Another rate at `step`, counted from the last exposure.
+  void begin_anew(double rate_hz, std::int64_t first_step);
+  // Takes another rate at `step`, counted from the last exposure.
   void change_rate(double rate_hz, std::int64_t step);
 
   bool due(std::int64_t step) const { return step >= schedule_.next(); }
@@ -24,7 +24,7 @@ class Exposures {
   // Exposes a frame at `step` and sends it as `seq`. Repeated at the same step it is the same frame.
   void expose(std::int64_t step, std::int64_t seq);
 
-  // Of the exposed frame, since the restart; 0 before the first.
+  // Number of the exposed frame since the beginning; 0 before the first.
   std::int64_t number() const { return number_; }
   // The number of the frame that was sent as `seq`, were there one frame a seq up to the exposed one.
   std::int64_t number_of(std::int64_t seq) const;

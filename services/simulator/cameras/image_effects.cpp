@@ -107,8 +107,8 @@ void apply_effects(const ImageEffects& effects, std::uint64_t noise_seed, cv::Ma
   if (effects.noise_sigma > 0.0) add_noise(effects.noise_sigma, noise_seed, image);
 }
 
-std::uint64_t noise_seed(std::uint64_t seed, std::uint64_t frame_number, int side) {
-  return seed_for(seed, 0x22 + static_cast<std::uint64_t>(side), frame_number);
+NoiseSeeds noise_seeds(std::uint64_t seed, std::uint64_t frame_number) {
+  return {seed_for(seed, streams::kLeftNoise, frame_number), seed_for(seed, streams::kRightNoise, frame_number)};
 }
 
 }  // namespace markservo::simulator

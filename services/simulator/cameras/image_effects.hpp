@@ -25,7 +25,11 @@ ImageEffects image_effects(const ImageSettings& image, const LightSettings& ligh
 // 0..255.
 void apply_effects(const ImageEffects& effects, std::uint64_t noise_seed, cv::Mat& image);
 
-// Which stream of noise an image has: side 0 is left, 1 right.
-std::uint64_t noise_seed(std::uint64_t seed, std::uint64_t frame_number, int side);
+// What each image of a frame draws its noise from.
+struct NoiseSeeds {
+  std::uint64_t left = 0;
+  std::uint64_t right = 0;
+};
+NoiseSeeds noise_seeds(std::uint64_t seed, std::uint64_t frame_number);
 
 }  // namespace markservo::simulator

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "services/simulator/cameras/camera_mjcf.hpp"
-#include "services/simulator/world/world.hpp"
+#include "services/simulator/model/physics.hpp"
 
 namespace markservo::simulator {
 namespace {
@@ -73,7 +73,7 @@ struct StereoRenderer::Context {
     loaded_world = 0;
   }
 
-  void load(const World& world) {
+  void load(const Physics& world) {
     unload();
     mjv_makeScene(world.model(), &scene, kMaxDrawnGeoms);
     mjr_makeContext(world.model(), &gl, mjFONTSCALE_100);
@@ -83,7 +83,7 @@ struct StereoRenderer::Context {
     for (const int effect : {mjRND_SHADOW, mjRND_REFLECTION, mjRND_SKYBOX, mjRND_HAZE}) scene.flags[effect] = 0;
   }
 
-  cv::Mat draw(const World& world, const char* camera_name) {
+  cv::Mat draw(const Physics& world, const char* camera_name) {
     mjvCamera camera;
     mjv_defaultCamera(&camera);
     camera.type = mjCAMERA_FIXED;
@@ -103,7 +103,7 @@ struct StereoRenderer::Context {
 StereoRenderer::StereoRenderer() : context_(std::make_unique<Context>()) {}
 StereoRenderer::~StereoRenderer() = default;
 
-ImagePair StereoRenderer::render(const World& world) {
+ImagePair StereoRenderer::render(const Physics& world) {
   if (context_->loaded_world != world.id()) context_->load(world);
   mjvCamera camera;
   mjv_defaultCamera(&camera);

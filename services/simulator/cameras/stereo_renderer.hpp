@@ -8,7 +8,7 @@
 
 namespace markservo::simulator {
 
-class World;
+class Physics;
 
 class StereoRenderer {
  public:
@@ -18,9 +18,9 @@ class StereoRenderer {
   StereoRenderer(const StereoRenderer&) = delete;
   StereoRenderer& operator=(const StereoRenderer&) = delete;
 
-  // Draws the world as it was at its last truth(). The first picture of a World takes some 0.2 s more: shapes and
+  // Draws the world as it was at World::truth() last. The first picture of one takes some 0.2 s more: shapes and
   // textures are taken over.
-  ImagePair render(const World& world);
+  ImagePair render(const Physics& world);
 
  private:
   struct Context;

@@ -18,7 +18,7 @@ ArmTouch::ArmTouch(const mjModel_* model)
   }
 }
 
-void ArmTouch::watch(const mjModel_* model, const mjData_* data) {
+void ArmTouch::observe(const mjModel_* model, const mjData_* data) {
   if (happened_) return;
   for (int i = 0; i < data->ncon; ++i) {
     const mjContact& contact = data->contact[i];

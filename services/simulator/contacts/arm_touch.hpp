@@ -14,7 +14,7 @@ class ArmTouch {
   explicit ArmTouch(const mjModel_* model);
 
   // `data` with contacts up to date.
-  void watch(const mjModel_* model, const mjData_* data);
+  void observe(const mjModel_* model, const mjData_* data);
   void forget();
 
   bool happened() const { return happened_; }

@@ -1,8 +1,9 @@
 #include "services/simulator/marks/print_sheet.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <opencv2/imgproc.hpp>
 
 #include "common/robot/configuration_error.hpp"
@@ -55,10 +56,8 @@ void draw_ticks(const SheetParameters& p, double size, Sheet& sheet) {
 cv::Mat print_sheet(const robot::MarkDescription& mark, const PrintScene& print, const SheetParameters& p) {
   const double largest = p.width - 2.0 * p.margin;
   if (mark.size > largest) {
-    char text[160];
-    std::snprintf(text, sizeof text, "mark %.40s has an edge of %.3f m; allowed on a sheet: up to %.3f m",
-                  mark.name.c_str(), mark.size, largest);
-    throw ConfigurationError(text);
+    throw ConfigurationError(fmt::format("mark {:.40} has an edge of {:.3f} m; allowed on a sheet: up to {:.3f} m",
+                                         mark.name, mark.size, largest));
   }
   Sheet sheet(p);
   const int edge = sheet.px(mark.size);
@@ -74,9 +73,8 @@ cv::Mat print_sheet(const robot::MarkDescription& mark, const PrintScene& print,
   for (const double end : {p.margin, p.margin + p.ruler}) {
     sheet.line(end, ruler_y - 0.5 * p.tick, end, ruler_y + 0.5 * p.tick);
   }
-  char words[160];
-  std::snprintf(words, sizeof words, "%.40s: %.1f mm. This line is %.0f mm long: print at 100%%.", mark.name.c_str(),
-                1e3 * mark.size, 1e3 * p.ruler);
+  const std::string words = fmt::format("{:.40}: {:.1f} mm. This line is {:.0f} mm long: print at 100%.", mark.name,
+                                        1e3 * mark.size, 1e3 * p.ruler);
   sheet.write(words, p.margin, ruler_y + 0.008, 0.0025);
   return sheet.image();
 }

@@ -8,7 +8,7 @@
 
 namespace markservo::simulator {
 
-// Calibration as the settings falsify it, size and pixels. `jpeg_quality` 1 to 100; 0: raw.
+// A frame with size, pixels and the calibration as the settings falsify it. `jpeg_quality` 1 to 100; 0: raw.
 StereoFrame frame_message(const robot::CameraDescription& cameras, const CalibrationSettings& settings,
                           const ImagePair& images, int jpeg_quality);
 

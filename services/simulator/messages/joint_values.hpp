@@ -6,7 +6,7 @@
 
 namespace markservo::simulator {
 
-// As messages carry them.
+// The joints' values as messages carry them.
 inline std::vector<double> joint_values(const robot::JointVector& q) {
   return {q.data(), q.data() + q.size()};
 }

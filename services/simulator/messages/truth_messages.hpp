@@ -6,7 +6,7 @@
 
 namespace markservo::simulator {
 
-// All but the message's and the frame's identity and the control echo.
+// Fills in all but the message's and the frame's identity and the echo of SIM_CONTROL.
 SimTruth truth_message(const WorldTruth& truth);
 
 }  // namespace markservo::simulator

@@ -10,7 +10,7 @@ struct JointAddress {
   int dof = 0;  // in qvel and the forces
 };
 
-// Of the joint `name` of `model`, which has one.
+// The address of the joint `name`, which `model` must have.
 JointAddress joint_address(const mjModel_* model, const char* name);
 
 }  // namespace markservo::simulator

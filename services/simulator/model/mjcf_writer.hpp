@@ -2,17 +2,16 @@
 
 // Small helpers that write MJCF, MuJoCo's XML.
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <cstdio>
 #include <string>
 
 namespace markservo::simulator {
 
 inline std::string mjcf(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.12g", value);
-  return text;
+  return fmt::format("{:.12g}", value);
 }
 
 inline std::string mjcf(const Eigen::Vector3d& v) {

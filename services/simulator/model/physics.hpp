@@ -15,13 +15,13 @@ struct SceneModel;
 
 class Physics {
  public:
-  // At the model's own start. Throws ConfigurationError if MuJoCo refuses the model.
+  // The world at the model's own start. Throws ConfigurationError if MuJoCo refuses the model.
   explicit Physics(const SceneModel& scene_model);
 
   mjModel_* model() const { return model_.get(); }
   mjData_* data() const { return data_.get(); }
 
-  // Another one for each that was ever built in this process.
+  // A number of its own for each that was ever built in this process.
   std::uint64_t id() const { return id_; }
 
   // Throws std::runtime_error if the state diverged since the start.

@@ -4,7 +4,7 @@
 
 namespace markservo::simulator {
 
-// Of the MuJoCo model, and of all that goes along with it.
+// The time step of the MuJoCo model, and of all that goes along with it.
 inline constexpr double kTimeStep = 0.002;  // s
 inline constexpr std::int64_t kTimeStep_us = 2'000;
 

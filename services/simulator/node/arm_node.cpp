@@ -12,7 +12,7 @@ namespace markservo::simulator {
 ArmNode::ArmNode(bus::Bus& bus, Simulation& simulation)
     : simulation_(&simulation), states_(bus.advertise(channels::kJointState)) {}
 
-CommandAnswer ArmNode::obey(const JointCommand& message) {
+CommandAnswer ArmNode::on_command(const JointCommand& message) {
   const motion::OfferedCommand offered{messages::command_stamp(message), message.joint_session};
   return simulation_->command(offered, message.frame_seq, arm_command(message));
 }
@@ -31,7 +31,7 @@ void ArmNode::drop_unless_obeyed(const JointCommand& message, const CommandAnswe
 }
 
 void ArmNode::publish() {
-  JointState message = joint_state_message(lying_.tell(simulation_->settings().faults, simulation_->world().arm()));
+  JointState message = joint_state_message(faults_.apply(simulation_->settings().faults, simulation_->world().arm()));
   message.utime = simulation_->utime();
   states_.publish(message);
 }

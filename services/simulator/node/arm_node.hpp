@@ -5,7 +5,7 @@
 #include <markservo/channels.hpp>
 
 #include "common/bus/bus.hpp"
-#include "services/simulator/faults/lying_sensors.hpp"
+#include "services/simulator/faults/sensor_faults.hpp"
 #include "services/simulator/world/simulation.hpp"
 
 namespace markservo::simulator {
@@ -16,7 +16,7 @@ class ArmNode {
   ArmNode(bus::Bus& bus, Simulation& simulation);
 
   // Gives a command to the arm. Throws std::invalid_argument for a command to another kind of arm.
-  CommandAnswer obey(const JointCommand& message);
+  CommandAnswer on_command(const JointCommand& message);
   // Drops a command that was not obeyed, with the reason, where its writer should know.
   void drop_unless_obeyed(const JointCommand& message, const CommandAnswer& answer) const;
 
@@ -25,7 +25,7 @@ class ArmNode {
  private:
   Simulation* simulation_;
   bus::Publisher<JointState> states_;
-  LyingSensors lying_;
+  SensorFaults faults_;
 };
 
 }  // namespace markservo::simulator

@@ -24,7 +24,7 @@ BaseNode::BaseNode(bus::Bus& bus, Simulation& simulation, const std::vector<std:
   const auto await = [&](const auto& channel) {
     if (std::find(awaited.begin(), awaited.end(), channel.name) == awaited.end()) return;
     bus.on_each(channel, [this, name = channel.name](const auto& message) {
-      barrier_.note(name, message.odometry_session, message.odometry_seq);
+      barrier_.observe(name, message.odometry_session, message.odometry_seq);
     });
   };
   await(channels::kBaseStatus);
@@ -34,7 +34,7 @@ BaseNode::BaseNode(bus::Bus& bus, Simulation& simulation, const std::vector<std:
 void BaseNode::on_command(const BaseCommand& message) {
   const motion::CommandVerdict verdict = simulation_->command_base(
       {messages::stamp_of(message), message.odometry_session}, message.speed, message.turn_rate);
-  barrier_.note(channels::kBaseCommand.name, message.odometry_session, message.odometry_seq);
+  barrier_.observe(channels::kBaseCommand.name, message.odometry_session, message.odometry_seq);
   switch (verdict) {
     case motion::CommandVerdict::kObeyed:
     case motion::CommandVerdict::kLatched:      // commands go on while the base is stopped
@@ -57,7 +57,7 @@ bool BaseNode::publish_due() {
   }
   if (!due.odometry) return false;
   const int counter_bits = simulation_->robot().base->counter_bits;
-  odometry_ = odometry_message(lying_.tell(simulation_->settings().faults, counter_bits, *due.odometry));
+  odometry_ = odometry_message(faults_.apply(simulation_->settings().faults, counter_bits, *due.odometry));
   publish_odometry();
   barrier_.expect(odometries_.session(), odometry_seq_);
   return true;
@@ -77,7 +77,7 @@ void BaseNode::publish_odometry() {
   truth_message.touched = truth.touched ? 1 : 0;
   truth_message.nearest = truth.nearest;
   truths_.publish(truth_message);
-  simulation_->told_odometry();
+  simulation_->observe_odometry();
   odometries_.publish(*odometry_);
 }
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "services/simulator/faults/lying_sensors.hpp"
+#include "services/simulator/faults/sensor_faults.hpp"
 #include "services/simulator/time/lockstep_barrier.hpp"
 #include "services/simulator/world/simulation.hpp"
 
@@ -46,7 +46,7 @@ class BaseNode {
   bus::Publisher<SonarScan> scans_;
   bus::Publisher<SimBaseTruth> truths_;
   bus::Publisher<WheelOdometry> odometries_;
-  LyingSensors lying_;
+  SensorFaults faults_;
   std::optional<SonarScan> scan_;          // the newest
   std::optional<WheelOdometry> odometry_;  // the newest
   std::int64_t odometry_seq_ = 0;

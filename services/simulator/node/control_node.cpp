@@ -13,14 +13,14 @@ namespace markservo::simulator {
 ControlNode::ControlNode(bus::Bus& bus, Simulation& simulation, RunState& run)
     : simulation_(&simulation), run_(&run), truths_(bus.advertise(channels::kSimTruth)) {}
 
-void ControlNode::hear(const SimControl& message) {
+void ControlNode::on_control(const SimControl& message) {
   const motion::CommandStamp stamp{message.session, message.control_id, message.utime};
   const motion::CommandHeard heard = inbox_.hear(stamp, simulation_->utime(), false);
   if (heard == motion::CommandHeard::kStale) messages::drop(inbox_.why_stale(stamp, simulation_->utime()));
   if (heard == motion::CommandHeard::kExecute) {
     error_.clear();
     try {
-      obey(message);
+      execute(message);
     } catch (const std::exception& error) {
       // Whatever it was: the sender waits for an echo, and silence about a failure would read as done.
       error_ = error.what();
@@ -31,7 +31,7 @@ void ControlNode::hear(const SimControl& message) {
   if (!run_->world_is_new && truth_.frame_seq > 0) publish();
 }
 
-void ControlNode::obey(const SimControl& message) {
+void ControlNode::execute(const SimControl& message) {
   Assignments changes;
   for (const SimParameter& parameter : message.parameters) changes.emplace_back(parameter.name, parameter.value);
   if (message.kind == SimControl::SET) {

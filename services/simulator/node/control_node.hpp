@@ -21,13 +21,13 @@ class ControlNode {
   ControlNode(bus::Bus& bus, Simulation& simulation, RunState& run);
 
   // Executes a RESET or SET once and echoes it.
-  void hear(const SimControl& message);
+  void on_control(const SimControl& message);
 
   // What is true at the frame exposed now.
   void tell_truth(std::int64_t frame_session, std::int64_t frame_seq);
 
  private:
-  void obey(const SimControl& message);
+  void execute(const SimControl& message);
   void publish();
 
   Simulation* simulation_;

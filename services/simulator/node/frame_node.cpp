@@ -6,6 +6,11 @@
 
 namespace markservo::simulator {
 
+ImagePair exposed_frame(const Simulation& simulation, Cameras& cameras) {
+  return cameras.show(simulation.world().physics(), simulation.effects(), simulation.noise(),
+                      simulation.settings().faults);
+}
+
 FrameNode::FrameNode(bus::Bus& bus, const Simulation& simulation, Cameras& cameras, int jpeg_quality)
     : simulation_(&simulation),
       cameras_(&cameras),
@@ -18,7 +23,7 @@ void FrameNode::publish() {
     return;
   }
   StereoFrame frame = frame_message(simulation_->robot().cameras, simulation_->settings().calibration,
-                                    cameras_->show(*simulation_), jpeg_quality_);
+                                    exposed_frame(*simulation_, *cameras_), jpeg_quality_);
   frame.utime = simulation_->utime();
   frames_.publish(frame);
 }

@@ -11,6 +11,9 @@
 
 namespace markservo::simulator {
 
+// What the cameras show of the frame exposed last.
+ImagePair exposed_frame(const Simulation& simulation, Cameras& cameras);
+
 class FrameNode {
  public:
   // `simulation` and `cameras` outlive this. `jpeg_quality` 1 to 100; 0: raw.

@@ -8,9 +8,9 @@
 #include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
+#include "services/simulator/node/lockstep_node.hpp"
+#include "services/simulator/node/real_time_node.hpp"
 #include "services/simulator/time/awaited_channels.hpp"
-#include "services/simulator/time/lockstep_node.hpp"
-#include "services/simulator/time/real_time_node.hpp"
 
 namespace markservo::simulator {
 
@@ -53,7 +53,7 @@ std::optional<int> SimulatorNode::run_alone() {
   simulation_ = new_simulation(Timing::kLockstep, 0, kEpoch_us);
   simulation_->expose(1);
   simulation_->world().truth();
-  const ImagePair images = cameras_->show(*simulation_);
+  const ImagePair images = exposed_frame(*simulation_, *cameras_);
   write_snapshot(options_.pictures, images.left, images.right);
   return bus::kExitStopped;
 }
@@ -66,7 +66,7 @@ void SimulatorNode::start(bus::Bus& bus) {
   world_ = std::make_unique<WorldNode>(bus, *simulation_, *cameras_, awaited, jpeg_quality(bus.urls()));
   // The first picture takes some 0.4 s: here, not when time already runs.
   simulation_->world().truth();
-  cameras_->show(*simulation_);
+  exposed_frame(*simulation_, *cameras_);
 }
 
 int SimulatorNode::jpeg_quality(const bus::BusUrls& urls) const {

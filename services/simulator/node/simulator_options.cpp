@@ -8,7 +8,7 @@ namespace markservo::simulator {
 
 void add_simulator_options(CLI::App& app, SimulatorOptions& options) {
   const bus::Options add(app);
-  add.option("--scene", options.scene_file, "The world around the robot").show_default();
+  add.option("--scene", options.scene_file, "The world around the robot").environment("MARKSERVO_SCENE").show_default();
   add.option("--seed", options.seed, "Seed of all that is random").not_negative().show_default();
   add.option("--set", options.assignments,
              "A setting, name=value, repeatable (--list-settings explains them): " + setting_names());

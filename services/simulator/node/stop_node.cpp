@@ -12,14 +12,14 @@ namespace markservo::simulator {
 StopNode::StopNode(bus::Bus& bus, Simulation& simulation, const RunState& run)
     : simulation_(&simulation), run_(&run), states_(bus.advertise(channels::kStopState)) {}
 
-void StopNode::hear(const StopRequest& message) {
+void StopNode::on_stop(const StopRequest& message) {
   if (message.kind != StopRequest::STOP && message.kind != StopRequest::RESET) {
     messages::drop("kind is " + std::to_string(message.kind) + "; allowed: 0 (stop) or 1 (reset)");
   }
   motion::StopRequestStamp request{{message.session, message.request_id, message.utime},
                                    message.kind == StopRequest::RESET,
                                    (message.source.empty() ? "someone" : message.source) + ": " + message.reason};
-  const motion::StopHeard heard = simulation_->request(request);
+  const motion::StopHeard heard = simulation_->hear_stop(request);
   if (heard == motion::StopHeard::kStale) messages::drop("RESET refused: " + simulation_->why_stale(request));
   if (heard != motion::StopHeard::kAgain) {
     logging::info("STOP {}: {}", simulation_->latch().latched() ? "latched" : "reset", simulation_->latch().reason());

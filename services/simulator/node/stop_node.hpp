@@ -17,7 +17,7 @@ class StopNode {
   StopNode(bus::Bus& bus, Simulation& simulation, const RunState& run);
 
   // Obeys and echoes.
-  void hear(const StopRequest& message);
+  void on_stop(const StopRequest& message);
 
   void publish();
   // Publishes when it is time again.

@@ -29,7 +29,7 @@ WorldNode::WorldNode(bus::Bus& bus, Simulation& simulation, Cameras& cameras, co
       control_(bus, simulation, run_) {
   // Messages that wait are handed over in the order in which their channels are subscribed.
   bus.on_each(channels::kJointCommand, [this](const JointCommand& message) { on_joint_command(message); });
-  bus.on_each(channels::kStop, [this](const StopRequest& message) { stops_.hear(message); });
+  bus.on_each(channels::kStop, [this](const StopRequest& message) { stops_.on_stop(message); });
   bus.on_each(channels::kSimControl, [this](const SimControl& message) { on_control(message); });
   if (simulation.has_base()) base_ = std::make_unique<BaseNode>(bus, simulation, awaited.of_odometries);
   for (const std::string& channel : awaited.of_frames) await_channel(bus, channel);
@@ -41,7 +41,7 @@ void WorldNode::await_channel(bus::Bus& bus, const std::string& channel) {
   const auto await = [&](const auto& awaited) {
     if (channel != awaited.name) return;
     bus.on_each(awaited, [this, channel](const auto& message) {
-      frame_barrier_.note(channel, message.frame_session, message.frame_seq);
+      frame_barrier_.observe(channel, message.frame_session, message.frame_seq);
     });
   };
   await(channels::kTaskState);
@@ -52,17 +52,17 @@ void WorldNode::await_channel(bus::Bus& bus, const std::string& channel) {
 }
 
 void WorldNode::on_joint_command(const JointCommand& message) {
-  const CommandAnswer answer = arm_.obey(message);
-  frame_barrier_.note(channels::kJointCommand.name, message.frame_session, message.frame_seq);
+  const CommandAnswer answer = arm_.on_command(message);
+  frame_barrier_.observe(channels::kJointCommand.name, message.frame_session, message.frame_seq);
   stops_.tell_of_a_latch();
   arm_.drop_unless_obeyed(message, answer);
 }
 
 void WorldNode::on_control(const SimControl& message) {
   if (message.kind == SimControl::STEP) {
-    frame_barrier_.note(channels::kSimControl.name, message.frame_session, message.frame_seq);
+    frame_barrier_.observe(channels::kSimControl.name, message.frame_session, message.frame_seq);
   } else {
-    control_.hear(message);
+    control_.on_control(message);
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // The running simulation on the bus: steps it and sends what its parts tell, in the order in which a real robot's
-// messages of one instant come. Real time and lockstep (time/) decide when.
+// messages of one instant come. real_time_node and lockstep_node decide when.
 
 #include <cstdint>
 #include <markservo/channels.hpp>
@@ -24,7 +24,8 @@ class BaseNode;
 
 class WorldNode {
  public:
-  // `simulation` and `cameras` outlive this. `awaited` answers are noted for lockstep. `jpeg_quality` as FrameNode's.
+  // `simulation` and `cameras` outlive this. `awaited` answers are observed for lockstep. `jpeg_quality` as
+  // FrameNode's.
   WorldNode(bus::Bus& bus, Simulation& simulation, Cameras& cameras, const AwaitedChannels& awaited, int jpeg_quality);
   ~WorldNode();
   WorldNode(const WorldNode&) = delete;

@@ -5,7 +5,7 @@
 
 namespace markservo::simulator {
 
-// Of what the base carries to find its way.
+// Settings of what the base carries to find its way.
 struct ReaderSettings {
   RfidSettings rfid;
   SonarSettings sonar;

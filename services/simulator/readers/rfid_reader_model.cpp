@@ -1,8 +1,9 @@
 #include "services/simulator/readers/rfid_reader_model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -10,10 +11,6 @@
 
 namespace markservo::simulator {
 namespace {
-
-constexpr std::uint64_t kReadStream = 0x71;
-constexpr std::uint64_t kStrayStream = 0x72;
-constexpr std::uint64_t kDelayStream = 0x73;
 
 constexpr double kNegligibleEdge = 14.0;  // softnesses beyond the radius: one read in a million
 constexpr double kFarAway = 3.0;          // reading radii: where no reader could hear it
@@ -41,9 +38,7 @@ Eigen::Vector2d between(double share, const Eigen::Vector2d& from, const Eigen::
 }
 
 std::string random_uid(RandomBits& bits) {
-  char uid[17];
-  std::snprintf(uid, sizeof uid, "%016llX", static_cast<unsigned long long>(bits.next()));
-  return uid;
+  return fmt::format("{:016X}", bits.next());
 }
 
 }  // namespace
@@ -100,7 +95,8 @@ void RfidReaderModel::read_between(const Antenna& from, const Antenna& to, std::
   const double reach = reader_.reading_radius + kNegligibleEdge * reader_.edge_softness;
   const double half_way = 0.5 * (to.p_W - from.p_W).norm();
   for (const int i : floor_.near(between(0.5, from.p_W, to.p_W), reach + half_way)) {
-    RandomBits bits(seed_for(seed_for(seed_, kReadStream, round_), kReadStream, static_cast<std::uint64_t>(i)));
+    RandomBits bits(
+        seed_for(seed_for(seed_, streams::kTagRead, round_), streams::kTagRead, static_cast<std::uint64_t>(i)));
     const auto into_round = static_cast<std::int64_t>(bits.uniform() * static_cast<double>(round_us_));
     const std::int64_t moment = round_start_ + into_round;
     if (moment < begin || moment >= end) continue;
@@ -116,7 +112,7 @@ void RfidReaderModel::read_between(const Antenna& from, const Antenna& to, std::
 }
 
 void RfidReaderModel::add_strays(const Eigen::Vector2d& p_WF) {
-  RandomBits bits(seed_for(seed_, kStrayStream, round_));
+  RandomBits bits(seed_for(seed_, streams::kStrayRead, round_));
   const auto moment = [&] {
     return round_start_ + static_cast<std::int64_t>(bits.uniform() * static_cast<double>(round_us_));
   };
@@ -140,7 +136,7 @@ void RfidReaderModel::finish_round(const Eigen::Vector2d& p_WF) {
   add_strays(p_WF);
   std::stable_sort(reads_.begin(), reads_.end(), [](const Read& a, const Read& b) { return a.utime < b.utime; });
 
-  const double jitter = parameters_.delay_jitter * RandomBits(seed_for(seed_, kDelayStream, round_)).symmetric();
+  const double jitter = parameters_.delay_jitter * RandomBits(seed_for(seed_, streams::kReadDelay, round_)).symmetric();
   const double delay = parameters_.delay.value_or(reader_.delay) + jitter;
   TagRound round;
   round.utime = round_start_ + round_us_ / 2 + std::llround(delay * 1e6);

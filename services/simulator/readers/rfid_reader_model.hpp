@@ -54,7 +54,8 @@ class RfidReaderModel {
   RfidReaderModel(const robot::RfidDescription& reader, const RfidReaderParameters& parameters, TagFloor floor,
                   std::uint64_t seed);
 
-  // From now on read like this; rounds under way keep what was read. Throws as the constructor, and changes nothing.
+  // From now on the reader reads like this; rounds under way keep what was read. Throws as the constructor, and changes
+  // nothing.
   void change(const RfidReaderParameters& parameters);
 
   // The robot is at X_WR at `utime` (us), having come there evenly since the last call; the first call begins the first

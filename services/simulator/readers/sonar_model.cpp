@@ -8,11 +8,6 @@
 #include "services/simulator/random.hpp"
 
 namespace markservo::simulator {
-namespace {
-
-constexpr std::uint64_t kSonarStream = 0x91;
-
-}  // namespace
 
 std::vector<Ray> SonarModel::rays() const {
   std::vector<Ray> rays;
@@ -35,9 +30,9 @@ SonarReading SonarModel::listen(const std::vector<std::optional<double>>& distan
                                 " distances; allowed: " + std::to_string(rays));
   }
   SonarReading reading{utime, ring_.min_range, ring_.max_range, ring_.beam_width, {}};
-  const std::uint64_t scan_seed = seed_for(seed_, kSonarStream, scans_++);
+  const std::uint64_t scan_seed = seed_for(seed_, streams::kSonarScan, scans_++);
   for (int sonar = 0; sonar < ring_.number; ++sonar) {
-    RandomBits bits(seed_for(scan_seed, kSonarStream, static_cast<std::uint64_t>(sonar)));
+    RandomBits bits(seed_for(scan_seed, streams::kSonarScan, static_cast<std::uint64_t>(sonar)));
     SonarEchoReading echo;
     echo.X_RS = ring_.pose(sonar);
     echo.range = ring_.max_range;

@@ -7,7 +7,6 @@
 namespace markservo::simulator {
 namespace {
 
-constexpr std::uint64_t kTagStream = 0x61;
 constexpr double kCell = 0.25;  // m: a few tags each, a few cells per reading footprint
 
 }  // namespace
@@ -23,7 +22,7 @@ TagFloor::TagFloor(const robot::TagField& map, const TagFloorParameters& paramet
   }
   for (std::size_t i = 0; i < map.tags.size(); ++i) {
     mapped_.insert(map.tags[i].uid);
-    RandomBits bits(seed_for(seed, kTagStream, i));
+    RandomBits bits(seed_for(seed, streams::kTagPlace, i));
     if (bits.uniform() < parameters.missing) continue;
     robot::FloorTag tag = map.tags[i];
     tag.p_W.x() += parameters.survey_error * bits.gaussian();

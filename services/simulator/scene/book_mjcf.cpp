@@ -1,7 +1,7 @@
 #include "services/simulator/scene/book_mjcf.hpp"
 
+#include "common/geometry/degrees.hpp"
 #include "services/simulator/contacts/contact_classes.hpp"
-#include "services/simulator/degrees.hpp"
 #include "services/simulator/marks/mark_mjcf.hpp"
 #include "services/simulator/model/mjcf_writer.hpp"
 
@@ -36,7 +36,7 @@ Eigen::Isometry3d book_pose(const Scene& scene, const BooksSettings& settings, c
   const BooksScene& books = scene.books;
   Eigen::Isometry3d X_SB = Eigen::Isometry3d::Identity();
   X_SB.translation() = Vector3d(settings.x, settings.y, books.mark_z) + Vector3d(book.place * books.spacing, 0.0, 0.0);
-  X_SB.rotate(Eigen::AngleAxisd(settings.slant_deg * kRadiansPerDegree, Vector3d::UnitZ()));
+  X_SB.rotate(Eigen::AngleAxisd(settings.slant_deg * geometry::kRadiansPerDegree, Vector3d::UnitZ()));
   X_SB.translate(
       Vector3d(0.0, kPrintThickness + 0.5 * books.size[1], scene.shelf.top_z + 0.5 * books.size[2] - books.mark_z));
   return X_SB;

@@ -8,8 +8,7 @@ namespace markservo::simulator {
 std::string lamps(const LightScene& light, double vary, std::uint64_t seed) {
   constexpr double kBrightnessVariation = 0.12;  // share either way
   constexpr double kDirectionVariation = 0.25;   // of the direction's length, about 15 degrees
-  constexpr std::uint64_t kLampStream = 0x11;
-  RandomBits bits(seed_for(seed, kLampStream, 0));
+  RandomBits bits(seed_for(seed, streams::kLamps, 0));
   std::string out;
   for (const Lamp& lamp : light.lamps) {
     Eigen::Vector3d direction = lamp.direction.normalized();

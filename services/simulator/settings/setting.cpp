@@ -1,15 +1,13 @@
 #include "services/simulator/settings/setting.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "common/robot/configuration_error.hpp"
 
 namespace markservo::simulator {
 
 std::string setting_text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.10g", value);
-  return buffer;
+  return fmt::format("{:.10g}", value);
 }
 
 void refuse_setting(const std::string& name, const std::string& value, const std::string& allowed) {

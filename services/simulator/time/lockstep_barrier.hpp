@@ -25,7 +25,7 @@ class LockstepBarrier {
   void expect_also(std::int64_t frame_seq) { last_seq_ = frame_seq; }
 
   // An answer on `channel`; counts if it is to the expected frame.
-  void note(const std::string& channel, std::int64_t frame_session, std::int64_t frame_seq) {
+  void observe(const std::string& channel, std::int64_t frame_session, std::int64_t frame_seq) {
     if (frame_session == session_ && frame_seq >= first_seq_ && frame_seq <= last_seq_) answered_.insert(channel);
   }
 

@@ -2,7 +2,7 @@
 
 namespace markservo::simulator {
 
-motion::StopHeard MotionControl::request(const motion::StopRequestStamp& request, std::int64_t now) {
+motion::StopHeard MotionControl::hear_stop(const motion::StopRequestStamp& request, std::int64_t now) {
   std::string obstacle = arm_.obstacle(now);
   if (obstacle.empty()) obstacle = base_.obstacle(now);
   const motion::StopHeard heard = latch_.hear(request, now, obstacle);
@@ -13,17 +13,17 @@ motion::StopHeard MotionControl::request(const motion::StopRequestStamp& request
   return heard;
 }
 
-motion::CommandVerdict MotionControl::offer_arm(const motion::OfferedCommand& command, std::int64_t now) {
-  return offer(arm_, command, now);
+motion::CommandVerdict MotionControl::hear_arm(const motion::OfferedCommand& command, std::int64_t now) {
+  return hear(arm_, command, now);
 }
 
-motion::CommandVerdict MotionControl::offer_base(const motion::OfferedCommand& command, std::int64_t now) {
-  return offer(base_, command, now);
+motion::CommandVerdict MotionControl::hear_base(const motion::OfferedCommand& command, std::int64_t now) {
+  return hear(base_, command, now);
 }
 
-motion::CommandVerdict MotionControl::offer(motion::CommandGate& gate, const motion::OfferedCommand& command,
-                                            std::int64_t now) {
-  const motion::CommandVerdict verdict = gate.offer(command, now, latch_.latched());
+motion::CommandVerdict MotionControl::hear(motion::CommandGate& gate, const motion::OfferedCommand& command,
+                                           std::int64_t now) {
+  const motion::CommandVerdict verdict = gate.hear(command, now, latch_.latched());
   if (verdict == motion::CommandVerdict::kTwoWriters) latch_.latch(gate.two_writers(), now);
   return verdict;
 }

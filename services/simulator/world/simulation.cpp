@@ -46,10 +46,10 @@ void Simulation::reset(std::uint64_t seed, const Assignments& changes) {
   settings_ = settings;
   seed_ = seed;
   control_.latch("the world was reset", utime());
-  delayed_.clear();
+  delayed_.forget();
   path_.forget();
   time_.leap(kResetPause_us);
-  exposures_.restart(settings_.frames.rate_hz, time_.steps());
+  exposures_.begin_anew(settings_.frames.rate_hz, time_.steps());
 }
 
 void Simulation::set(const Assignments& changes) {
@@ -63,9 +63,11 @@ void Simulation::set(const Assignments& changes) {
   if (new_rate) exposures_.change_rate(settings_.frames.rate_hz, time_.steps());
 }
 
-motion::StopHeard Simulation::request(const motion::StopRequestStamp& request) {
-  const motion::StopHeard heard = control_.request(request, utime());
+motion::StopHeard Simulation::hear_stop(const motion::StopRequestStamp& request) {
+  const motion::StopHeard heard = control_.hear_stop(request, utime());
   if (heard == motion::StopHeard::kLatched) freeze();
+  // Also where nothing was latched: whoever asked for it begins anew, from the shafts.
+  if (heard == motion::StopHeard::kReleased) path_.forget();
   return heard;
 }
 
@@ -75,7 +77,7 @@ void Simulation::freeze() {
 }
 
 void Simulation::freeze_arm() {
-  delayed_.clear();
+  delayed_.forget();
   path_.forget();
   world_.freeze();
 }
@@ -91,7 +93,7 @@ CommandAnswer Simulation::command(const motion::OfferedCommand& offered, std::in
   motion::OfferedCommand judged = offered;
   judged.leads = leads.has_value();
   judged.jumps = jumps.has_value();
-  answer.verdict = control_.offer_arm(judged, utime());
+  answer.verdict = control_.hear_arm(judged, utime());
   if (answer.verdict == motion::CommandVerdict::kLeads) answer.joint = leads;
   if (answer.verdict == motion::CommandVerdict::kJumps) answer.joint = jumps;
   if (answer.verdict == motion::CommandVerdict::kTwoWriters) freeze();
@@ -108,7 +110,7 @@ std::int64_t Simulation::effect_of(std::int64_t frame_seq) const {
 
 motion::CommandVerdict Simulation::command_base(const motion::OfferedCommand& offered, double speed, double turn_rate) {
   if (!base_) return motion::CommandVerdict::kOtherMover;
-  const motion::CommandVerdict verdict = control_.offer_base(offered, utime());
+  const motion::CommandVerdict verdict = control_.hear_base(offered, utime());
   if (verdict == motion::CommandVerdict::kTwoWriters) freeze();
   if (verdict == motion::CommandVerdict::kObeyed) base_->command(speed, turn_rate);
   return verdict;
@@ -136,12 +138,12 @@ void Simulation::step() {
 }
 
 void Simulation::expose(std::int64_t seq) {
-  control_.note_frame(utime());
+  control_.observe_frame(utime());
   exposures_.expose(time_.steps(), seq);
 }
 
-std::uint64_t Simulation::noise_seed_of(int side) const {
-  return noise_seed(seed_, static_cast<std::uint64_t>(exposures_.number()), side);
+NoiseSeeds Simulation::noise() const {
+  return noise_seeds(seed_, static_cast<std::uint64_t>(exposures_.number()));
 }
 
 }  // namespace markservo::simulator

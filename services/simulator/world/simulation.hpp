@@ -10,11 +10,11 @@
 #include "common/motion/command_path.hpp"
 #include "common/robot/robot_description.hpp"
 #include "services/simulator/arm/delayed_commands.hpp"
-#include "services/simulator/base/mobile_base.hpp"
 #include "services/simulator/cameras/exposures.hpp"
 #include "services/simulator/cameras/image_effects.hpp"
 #include "services/simulator/scene/scene.hpp"
 #include "services/simulator/settings/settings.hpp"
+#include "services/simulator/world/mobile_base.hpp"
 #include "services/simulator/world/motion_control.hpp"
 #include "services/simulator/world/simulated_time.hpp"
 #include "services/simulator/world/world.hpp"
@@ -53,7 +53,7 @@ class Simulation {
   // A STOP or its reset, of arm and base together. Latched, the arm stays where it is, the grip keeps its force, and
   // the base brakes. Released, they move when a command answers a frame exposed after this, or an odometry told after
   // this.
-  motion::StopHeard request(const motion::StopRequestStamp& request);
+  motion::StopHeard hear_stop(const motion::StopRequestStamp& request);
   std::string why_stale(const motion::StopRequestStamp& request) const { return latch().why_stale(request, utime()); }
   const motion::StopLatch& latch() const { return control_.stop(); }
 
@@ -75,7 +75,7 @@ class Simulation {
   // What is true about the base. Throws std::logic_error if the robot has none.
   MobileBaseTruth base_truth() const;
   // The newest odometry was told now.
-  void told_odometry() { control_.note_odometry(utime()); }
+  void observe_odometry() { control_.observe_odometry(utime()); }
 
   // True when the next frame's exposure is now.
   bool frame_due() const { return exposures_.due(time_.steps()); }
@@ -83,8 +83,8 @@ class Simulation {
   void expose(std::int64_t seq);
   // True if the exposed frame is one of the lost ones.
   bool dropped() const { return exposures_.lost(seed_, settings_.frames.drop_rate); }
-  // Seeds of the exposed frame's noise; side 0 is left, 1 right.
-  std::uint64_t noise_seed_of(int side) const;
+  // Of the exposed frame.
+  NoiseSeeds noise() const;
   ImageEffects effects() const { return image_effects(settings_.image, settings_.light); }
 
   World& world() { return world_; }

@@ -64,7 +64,7 @@ void World::freeze() {
 void World::step() {
   base_.depart(data(), kTimeStep);
   mj_step1(model(), data());
-  touch_.watch(model(), data());
+  touch_.observe(model(), data());
   arm_.drive(data(), kTimeStep);
   gripper_.drive(data(), kTimeStep);
   mj_step2(model(), data());
@@ -89,7 +89,7 @@ ArmReading World::arm() const {
 
 WorldTruth World::truth() {
   mj_step1(model(), data());
-  touch_.watch(model(), data());
+  touch_.observe(model(), data());
   const Eigen::Isometry3d X_CS = base_.X_SC().inverse();
   WorldTruth truth;
   truth.shaft = arm_.shafts(data());

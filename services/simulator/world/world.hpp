@@ -54,14 +54,15 @@ class World {
   // base: infinity.
   double clearance() const;
 
-  // Another one for each World that was ever built in this process.
-  std::uint64_t id() const { return physics_.id(); }
-  const mjModel_* model() const { return physics_.model(); }
-  mjData_* data() const { return physics_.data(); }
+  // To be drawn, as it was at the last truth().
+  const Physics& physics() const { return physics_; }
 
  private:
   World(const robot::RobotDescription& robot, const Scene& scene, const Settings& settings, Physics physics,
         const SceneFrame& frame);
+
+  const mjModel_* model() const { return physics_.model(); }
+  mjData_* data() const { return physics_.data(); }
 
   Physics physics_;
   BaseBody base_;

@@ -35,8 +35,8 @@ struct CentreView {
   CameraSide side;
 };
 
-// With what is missing of the mark in the covariance. `size`: m, edge of the square; 0: unknown. Nothing when the mark
-// is not in front of the cameras or nothing of it is seen. `contrast` is room.
+// The mark's centre in one image, with what is missing of the mark in the covariance. `size`: m, edge of the square; 0:
+// unknown. Nothing when the mark is not in front of the cameras or nothing of it is seen. `contrast` is room.
 std::optional<SeenCentre> seen_centre(const CentreView& seen, const DisparityPlane& plane,
                                       const geometry::StereoCamera& camera, double size,
                                       const SeenCentreParameters& parameters, PlaneImage& contrast);

@@ -8,7 +8,7 @@
 
 namespace markservo::target_locator {
 
-// As foerstner; what it fills has the image's size.
+// Does what foerstner() does, to measures that have the image's size.
 void fill_measures(const Gradients& gradients, float trace_floor, CornerMeasures& measures);
 
 // The local maxima (3 x 3) of a row `y` of the weight among the pixels of `inside` (words of the mask's row) with

@@ -19,7 +19,7 @@ struct FreeSurfaceParameters {
   RefinementParameters refinement = {5, true, 8, 0.005, 0.7, 0.85};
 };
 
-// Located where at least `min_matches` features are matched.
+// Locates the mark where at least `min_matches` features are matched.
 Location locate_free_surface(const MarkObservation& observation, const geometry::StereoCamera& camera,
                              const FreeSurfaceParameters& parameters, int min_matches, const StereoPatch& patch,
                              const std::vector<Feature>& features);

@@ -20,7 +20,7 @@ struct OutermostEdge {
   double rms = 0.0;  // m, about its line
 };
 
-// Of more than kStrays points. `outwards`: unit length; `pixel`: m, a patch pixel on the plane.
+// The outermost edge of more than kStrays points. `outwards`: unit length; `pixel`: m, a patch pixel on the plane.
 OutermostEdge outermost_edge(const Points& points, const Eigen::Vector2d& outwards, double pixel);
 
 // The n-th smallest, from 0 on; n below the number of values.

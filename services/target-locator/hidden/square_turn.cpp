@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/degrees.hpp"
 #include "services/target-locator/hidden/outermost_edge.hpp"
 
 namespace markservo::target_locator {
 namespace {
 
-constexpr double kRadPerDeg = M_PI / 180.0;
+using geometry::kRadiansPerDegree;
 
 // How many points lie on the outermost lines of that direction and its opposite, or nothing if these are farther apart
 // than `most`.
@@ -44,11 +45,11 @@ std::optional<double> best_turn(const PlaneOutlines& outlines, double most_exten
     }
   };
   constexpr int kCoarse_deg = 1;
-  for (int degrees = -45; degrees < 45; degrees += kCoarse_deg) try_turn(degrees * kRadPerDeg);
+  for (int degrees = -45; degrees < 45; degrees += kCoarse_deg) try_turn(degrees * kRadiansPerDegree);
   if (most == 0) return std::nullopt;
   const double coarse = best;
   constexpr int kFineSteps = 5;
-  for (int k = -kFineSteps; k <= kFineSteps; ++k) try_turn(coarse + k * 0.2 * kCoarse_deg * kRadPerDeg);
+  for (int k = -kFineSteps; k <= kFineSteps; ++k) try_turn(coarse + k * 0.2 * kCoarse_deg * kRadiansPerDegree);
   return best;
 }
 
@@ -56,7 +57,7 @@ double aligned_turn(const PlaneOutlines& outlines, double turn) {
   constexpr double kParallel = 0.006;  // rad
   std::vector<OutermostEdge> edges;
   for (int k = 0; k < 4; ++k) {
-    const double angle = turn + 90.0 * kRadPerDeg * k;
+    const double angle = turn + 90.0 * kRadiansPerDegree * k;
     for (const Points& points : outlines.views) {
       edges.push_back(outermost_edge(points, {std::cos(angle), std::sin(angle)}, outlines.pixel));
     }

@@ -18,7 +18,7 @@ struct MarkColours {
   imaging::ColourSums around;  // in a ring around it
 };
 
-// Of prepared masks; makes the ring.
+// The colours of the mark of prepared masks; makes their ring.
 MarkColours mark_colours(const Patch& patch, MarkMasks& masks);
 
 // The axis of BGR along which these pixels vary most, unit length, sum not negative: what a printed texture looks like

@@ -20,7 +20,7 @@ struct ColourMap {
 // `plane` gets the map of every pixel of a patch of `width` x `height` pixels, rows without gaps.
 void project_pixels(const std::uint8_t* bgr, int width, int height, const ColourMap& map, PlaneImage& plane);
 
-// As sobel_gradients; what it fills has the image's size.
+// Does what sobel_gradients() does, to gradients that have the image's size.
 void fill_gradients(const PlaneImage& image, bool zero_border, Gradients& gradients);
 
 }  // namespace markservo::target_locator

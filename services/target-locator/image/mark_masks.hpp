@@ -22,7 +22,7 @@ struct MarkMasks {
 // Unpacks the patch's mask and makes the inner one; they keep their memory.
 void prepare_masks(const Patch& patch, MarkMasks& masks);
 
-// Of prepared masks the ring.
+// Makes the ring of prepared masks.
 void make_ring(MarkMasks& masks);
 
 }  // namespace markservo::target_locator

@@ -16,7 +16,7 @@ struct EdgePoint {
   bool good = true;       // on it
 };
 
-// In order along the edge.
+// The points of an edge, in order along it.
 using EdgePoints = std::vector<EdgePoint>;
 
 // across = p + q along.

@@ -30,7 +30,7 @@ struct PlaneAlignment {
   double inlier_share = 0.0;                             // of the pixels
 };
 
-// Of the masked pixels; `pixels` keeps its memory.
+// Makes the templates of the masked pixels; `pixels` keeps its memory.
 void make_templates(const StereoPatch& patch, const Mask& mask, const AlignmentParameters& parameters,
                     PlaneTemplates& pixels);
 

@@ -21,7 +21,7 @@ namespace markservo::target_locator {
 using Vector6 = Eigen::Matrix<double, kPlaneParameters, 1>;
 using Matrix6 = Eigen::Matrix<double, kPlaneParameters, kPlaneParameters>;
 
-// Of the plane, without any change of light or rows.
+// The parameters of the plane without any change of light or rows.
 Vector6 parameters_of(const DisparityPlane& plane, const PlaneTemplate& t);
 DisparityPlane plane_of(const Vector6& parameters, const PlaneTemplate& t);
 
@@ -39,19 +39,19 @@ class PlaneFit {
 
   const PlaneTemplate& pixels() const { return pixels_; }
   const Vector6& parameters() const { return parameters_; }
-  // Enough pixels are left.
+  // Whether enough pixels are left.
   bool solvable() const { return solvable_; }
 
-  // From `start` on; residuals are those before the last step. False when it diverges.
+  // Iterates from `start` on; residuals are those before the last step. False when it diverges.
   bool iterate(const Vector6& start, const FitLimits& limits);
 
   // Leaves out the pixels with large residuals; returns the share that stays.
   double drop_outliers(double sigmas);
 
-  // Of the two views' greys, -1..1.
+  // Correlation of the two views' greys, -1..1.
   double correlation() const;
 
-  // Nothing when the texture does not fix the parameters.
+  // Covariance of the parameters; nothing when the texture does not fix them.
   std::optional<Matrix6> covariance(double noise_correlation) const;
 
  private:

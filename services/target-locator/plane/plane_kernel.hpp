@@ -31,7 +31,7 @@ struct ColumnMap {
 // t.padded() values.
 void sample_rows(const PlaneImage& image, const PlaneTemplate& t, const ColumnMap& columns, float* warped);
 
-// Over the used pixels, of a = the template's greys and b = warped ones.
+// Sums over the used pixels of products of a = the template's greys and b = the warped ones.
 struct ProductSums {
   double n = 0.0;
   double a = 0.0;
@@ -52,14 +52,14 @@ struct ResidualSums {
 ResidualSums sum_residuals(const PlaneTemplate& t, const float* warped, float gain, float offset, float rising,
                            float* residual);
 
-// Of the used pixels' |residual| up to `limit`: their number and mean.
+// Number and mean of the used pixels' |residual| up to `limit`.
 struct AbsoluteMean {
   double n = 0.0;
   double mean = 0.0;
 };
 AbsoluteMean mean_absolute(const PlaneTemplate& t, const float* residual, float limit);
 
-// Takes the weight of pixels whose |residual| is above `limit`. How many are left.
+// Gives pixels whose |residual| is above `limit` weight 0. Returns how many are left.
 std::size_t drop_above(const float* residual, float limit, PlaneTemplate& t);
 
 // Sums over the used pixels of the derivatives' products: `information` with Sobel's gradient on both sides (little

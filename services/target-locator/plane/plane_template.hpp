@@ -19,7 +19,7 @@ struct PlaneTemplate {
     int row = 0;     // patch px
   };
 
-  // What coordinates are from.
+  // Where coordinates count from, and in what unit.
   struct Origin {
     double u = 0.0;       // px of the image, the pixels' centre
     double v = 0.0;       // px
@@ -51,7 +51,7 @@ struct PlaneTemplates {
   std::vector<float> residual;
 };
 
-// Of the masked pixels those of every k-th row, so that about `limit` are taken. `pixels` keeps its memory.
+// Makes the template of about `limit` masked pixels, those of every k-th row. `pixels` keeps its memory.
 void make_template(const StereoPatch& patch, const Mask& mask, int limit, PlaneTemplate& pixels);
 
 // The right view's grey at every template pixel under the disparities of `plane`. The right view must be at least 4
@@ -59,7 +59,7 @@ void make_template(const StereoPatch& patch, const Mask& mask, int limit, PlaneT
 void warp(const StereoPatch& patch, const PlaneTemplate& pixels, const DisparityPlane& plane,
           std::vector<float>& warped);
 
-// Of the used template greys and the warped ones, -1..1; 0 when either does not vary.
+// Correlation of the used template greys and the warped ones, -1..1; 0 when either does not vary.
 double correlation_of(const PlaneTemplate& pixels, const std::vector<float>& warped);
 
 }  // namespace markservo::target_locator

@@ -14,7 +14,7 @@ namespace markservo::task_manager {
 
 class BaseReports {
  public:
-  // One that is older than the last begins another world: what was before is forgotten.
+  // A report that is older than the last begins another world: what was before is forgotten.
   void add(const BaseReport& report) {
     if (!reports_.empty() && report.utime < reports_.back().utime) reports_.clear();
     reports_.push_back(report);

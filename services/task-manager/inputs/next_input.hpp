@@ -24,7 +24,7 @@ class NextInput {
     input_.marks = std::move(marks);
   }
 
-  // Of another than the arm, which may be the next one.
+  // A report of another arm than the one that is believed; it may take that one's place.
   void observe_stranger(const ArmReport& report) { stranger_ = report; }
   // The arm's session is another one from now on. `told`: the arm was told something by what was reported. What another
   // said before anyone was known tells nothing of what the hand holds.
@@ -36,7 +36,7 @@ class NextInput {
     }
   }
 
-  // For the step at a SERVO_STATUS. `utime`: us, the frame's; `now`: us, the arm's.
+  // The input of the step at a SERVO_STATUS. `utime`: us, the frame's; `now`: us, the arm's.
   Input take(const ServoReport& servo, const StopReport& stop, std::int64_t utime, std::int64_t now) {
     input_.servo = servo;
     input_.stop = stop;

@@ -27,13 +27,13 @@ motion::MoverWatch& StopDevices::watch(const std::string& device) {
   return movers_.try_emplace(device, device).first->second;
 }
 
-motion::Word StopDevices::hear_stop_state(const std::string& device, const motion::Stamp& stamp, bool latched,
-                                          const std::string& reason) {
-  const motion::Word word = watch(device).hear_stop_state(stamp, latched, reason);
-  if (!motion::why_dropped(word).empty()) return word;
+motion::ReportHeard StopDevices::hear_stop_state(const std::string& device, const motion::Stamp& stamp, bool latched,
+                                                 const std::string& reason) {
+  const motion::ReportHeard heard = watch(device).hear_stop_state(stamp, latched, reason);
+  if (!motion::why_dropped(heard).empty()) return heard;
   told_at_[device] = stamp.utime;
   if (latched) stopped_meanwhile_ = true;
-  return word;
+  return heard;
 }
 
 StopReport StopDevices::report(std::int64_t now) {
@@ -49,8 +49,8 @@ StopReport StopDevices::report(std::int64_t now) {
     const auto found = movers_.find(device);
     if (found == movers_.end()) continue;
     const motion::MoverWatch& mover = found->second;
-    if (!mover.blocked().empty()) {
-      tell_latched(report, device, mover.blocked());
+    if (!mover.conflict().empty()) {
+      tell_latched(report, device, mover.conflict());
     } else if (mover.latched().value_or(false)) {
       tell_latched(report, device, mover.stop_reason());
     }

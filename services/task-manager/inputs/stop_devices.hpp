@@ -29,13 +29,13 @@ class StopDevices {
   bool has(const std::string& device) const;
   motion::MoverWatch& watch(const std::string& device);
 
-  motion::Word hear_stop_state(const std::string& device, const motion::Stamp& stamp, bool latched,
-                               const std::string& reason);
+  motion::ReportHeard hear_stop_state(const std::string& device, const motion::Stamp& stamp, bool latched,
+                                      const std::string& reason);
 
-  // At `now` (us); begins anew with what is latched meanwhile.
+  // How the stops stand at `now` (us), and whether one was latched since the last report.
   StopReport report(std::int64_t now);
 
-  // Where two claim to be one, nothing may move until somebody has looked.
+  // The STOPs to send now: where two claim to be one device, nothing may move until somebody has looked.
   std::vector<DueStop> stops_due();
 
  private:

@@ -31,7 +31,7 @@ Phase phase_of(const ActivePhase& phase);
 // What is done as the phase is entered.
 void begin(ActivePhase& phase, PhaseContext& context);
 
-// One SERVO_STATUS in it: the phase that follows, if one does. Phases at rest wait for commands.
+// One step of the phase, at a SERVO_STATUS: the phase that follows, if one does. Phases at rest wait for commands.
 std::optional<Transition> step(ActivePhase& phase, PhaseContext& context);
 
 }  // namespace markservo::task_manager

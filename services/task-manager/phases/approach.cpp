@@ -8,8 +8,8 @@ namespace markservo::task_manager {
 
 std::optional<Transition> Approach::step(PhaseContext& context) {
   if (stage_ == Stage::kWaitingForTheHand) return wait_for_the_hand(context);
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   stage_ = Stage::kWaitingForTheHand;
   since_ = context.now();
   pose_utime_ = context.input.pose_utime;

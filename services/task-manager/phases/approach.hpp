@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "services/task-manager/phases/way.hpp"
+#include "services/task-manager/phases/move_sequence.hpp"
 
 namespace markservo::task_manager {
 
@@ -17,9 +17,9 @@ class Approach {
  public:
   static constexpr Phase kPhase = Phase::kApproach;
 
-  explicit Approach(std::vector<Move> moves) : way_(std::move(moves)) {}
+  explicit Approach(std::vector<Move> moves) : moves_(std::move(moves)) {}
 
-  void begin(PhaseContext& context) { way_.begin(context); }
+  void begin(PhaseContext& context) { moves_.begin(context); }
   std::optional<Transition> step(PhaseContext& context);
 
  private:
@@ -28,7 +28,7 @@ class Approach {
   std::optional<Transition> wait_for_the_hand(PhaseContext& context);
 
   Stage stage_ = Stage::kOnTheWay;
-  Way way_;
+  MoveSequence moves_;
   std::int64_t since_ = 0;       // us, begin of the wait
   std::int64_t pose_utime_ = 0;  // us, of the newest frame that was looked at
   int hand_frames_ = 0;          // the hand's mark located in so many in a row

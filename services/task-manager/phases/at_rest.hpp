@@ -35,7 +35,7 @@ struct Failed : AtRest {
   void begin(PhaseContext& context) { hold_arm(context); }
 };
 
-// By STOP or ABORT, or because it may not go on: likewise.
+// Ended by STOP or ABORT, or because it may not go on: the arm stays where it is too.
 struct Stopped : AtRest {
   static constexpr Phase kPhase = Phase::kStopped;
   void begin(PhaseContext& context) { hold_arm(context); }

@@ -10,17 +10,15 @@ namespace markservo::task_manager {
 
 void Carry::begin(PhaseContext& context) {
   context.holding.carry_away();
-  way_.begin(context);
+  moves_.begin(context);
 }
 
 std::optional<Transition> Carry::step(PhaseContext& context) {
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   const PosturePath path =
       plan_release(context.arm(), context.parameters, context.arm_goals.newest().q, context.closed());
-  if (!path.reachable()) {
-    return failed(std::string("the hand cannot leave it: ") + robot::describe(path.status()));
-  }
+  if (!path.reachable()) return failed("the hand cannot leave it: " + path.trouble());
   return Transition{Release(path.moves(), Release::Then::kGoHomeCarried), "letting go"};
 }
 

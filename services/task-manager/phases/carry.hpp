@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "services/task-manager/phases/way.hpp"
+#include "services/task-manager/phases/move_sequence.hpp"
 
 namespace markservo::task_manager {
 
@@ -16,13 +16,13 @@ class Carry {
  public:
   static constexpr Phase kPhase = Phase::kCarry;
 
-  explicit Carry(std::vector<Move> moves) : way_(std::move(moves)) {}
+  explicit Carry(std::vector<Move> moves) : moves_(std::move(moves)) {}
 
   void begin(PhaseContext& context);
   std::optional<Transition> step(PhaseContext& context);
 
  private:
-  Way way_;
+  MoveSequence moves_;
 };
 
 }  // namespace markservo::task_manager

@@ -1,6 +1,6 @@
 #include "services/task-manager/phases/drive.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "services/task-manager/guards.hpp"
 #include "services/task-manager/phases/active_phase.hpp"
@@ -11,9 +11,7 @@ namespace markservo::task_manager {
 namespace {
 
 std::string words_of(const geometry::PlanePose& pose) {
-  char text[96];
-  std::snprintf(text, sizeof text, "x %.2f m, y %.2f m, %.0f degrees", pose.x, pose.y, geometry::degrees(pose.heading));
-  return text;
+  return fmt::format("x {:.2f} m, y {:.2f} m, {:.0f} degrees", pose.x, pose.y, geometry::degrees(pose.heading));
 }
 
 }  // namespace
@@ -50,17 +48,17 @@ std::optional<Transition> Drive::make_ready(PhaseContext& context) {
     return std::nullopt;
   }
   const PosturePath path = plan_home(context.arm(), context.parameters, {input.arm->q, input.arm->gripper_opening});
-  if (!path.reachable()) return not_taken(context, std::string("no way home: ") + robot::describe(path.status()));
+  if (!path.reachable()) return not_taken(context, "no way home: " + path.trouble());
   stage_ = Stage::kFolding;
   context.reason = "folding the arm for the drive";
-  folding_ = Way(path.moves());
+  folding_ = MoveSequence(path.moves());
   folding_.begin(context);
   return std::nullopt;
 }
 
 std::optional<Transition> Drive::fold(PhaseContext& context) {
-  const MoveReport way = folding_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = folding_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   set_off(context);
   return std::nullopt;
 }

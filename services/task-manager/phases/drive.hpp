@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "services/task-manager/phases/move_sequence.hpp"
 #include "services/task-manager/phases/phase_context.hpp"
-#include "services/task-manager/phases/way.hpp"
 #include "services/task-manager/watches/drive_watch.hpp"
 
 namespace markservo::task_manager {
@@ -18,9 +18,9 @@ class Drive {
  public:
   static constexpr Phase kPhase = Phase::kDrive;
 
-  // To the commanded pose, once the arm is folded.
+  // A drive to the commanded pose, once the arm is folded.
   static Drive to(const geometry::PlanePose& X_WG) { return Drive(Stage::kMakingReady, false, X_WG); }
-  // From where the robot stands, the arm still folded.
+  // A drive on from where the robot stands, the arm still folded.
   static Drive on_by(const geometry::PlanePose& X_RG) { return Drive(Stage::kDriving, true, X_RG); }
 
   void begin(PhaseContext& context);
@@ -49,7 +49,7 @@ class Drive {
   bool from_robot_;  // `pose_` is X_RG, else X_WG
   geometry::PlanePose pose_;
   std::int64_t since_ = 0;  // us, begin of the stage
-  Way folding_;
+  MoveSequence folding_;
   DriveProgress progress_;
   std::string words_;  // where to, for people
 };

@@ -29,9 +29,9 @@ Transition transition_to(const Ending& ending) {
   }
 }
 
-std::optional<Transition> not_done(const MoveReport& way) {
-  if (way.state != MoveState::kFailed) return std::nullopt;
-  return failed(way.reason);
+std::optional<Transition> not_done(const MoveReport& report) {
+  if (report.state != MoveState::kFailed) return std::nullopt;
+  return failed(report.reason);
 }
 
 Transition not_taken(const PhaseContext& context, const std::string& reason) {

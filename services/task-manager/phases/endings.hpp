@@ -18,8 +18,8 @@ Transition failed(const std::string& reason);
 Transition stopped(const std::string& reason);
 Transition transition_to(const Ending& ending);
 
-// Of a way that is not done: nothing while it is under way, the end when it has failed.
-std::optional<Transition> not_done(const MoveReport& way);
+// What follows from moves that are not done: nothing while they are under way, the task's end when one has failed.
+std::optional<Transition> not_done(const MoveReport& report);
 
 // The target cannot be taken: refused, or failed when the base has driven or the arm has tried once.
 Transition not_taken(const PhaseContext& context, const std::string& reason);

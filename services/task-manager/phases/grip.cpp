@@ -14,7 +14,7 @@ void Grip::begin(PhaseContext& context) {
   close.hold = true;
   close.opening = context.closed();
   close.dwell = context.parameters.grip.close_time;
-  closing_ = Way({close});
+  closing_ = MoveSequence({close});
   closing_.begin(context);
 }
 
@@ -23,8 +23,8 @@ std::optional<Transition> Grip::step(PhaseContext& context) {
 }
 
 std::optional<Transition> Grip::close(PhaseContext& context) {
-  const MoveReport way = closing_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = closing_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   const ArmReport& arm = *context.input.arm;
   context.holding.grip(arm, context.grip().object_width);
   context.task.at_grip.q = arm.q;
@@ -49,7 +49,7 @@ std::optional<Transition> Grip::measure(PhaseContext& context) {
   const Eigen::Vector3d p_CG = robot::grip_point(context.arm(), task.at_grip.q);
   const PosturePath up = plan_lift(context.arm(), context.parameters, context.grip(), task.at_grip.q, p_CG,
                                    task.place.check_height, context.closed());
-  if (!up.reachable()) return let_go(context, std::string("it cannot be lifted: ") + robot::describe(up.status()));
+  if (!up.reachable()) return let_go(context, "it cannot be lifted: " + up.trouble());
   return Transition{Lift(up.moves()), "lifting a little"};
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "services/task-manager/phases/way.hpp"
+#include "services/task-manager/phases/move_sequence.hpp"
 #include "services/task-manager/watches/mark_pair.hpp"
 
 namespace markservo::task_manager {
@@ -26,7 +26,7 @@ class Grip {
   std::optional<Transition> measure(PhaseContext& context);
 
   Stage stage_ = Stage::kClosing;
-  Way closing_;
+  MoveSequence closing_;
   std::int64_t since_ = 0;  // us, begin of the measurement
   MarkPair marks_;
 };

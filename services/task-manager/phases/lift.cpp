@@ -11,8 +11,8 @@
 namespace markservo::task_manager {
 
 std::optional<Transition> Lift::step(PhaseContext& context) {
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   return Transition{Verify(), "measuring both marks after the lift"};
 }
 
@@ -38,13 +38,13 @@ Transition Verify::judge(PhaseContext& context) const {
   const PosturePath up =
       plan_lift(context.arm(), context.parameters, context.grip(), context.arm_goals.newest().q,
                 robot::grip_point(context.arm(), task.at_grip.q), parameters.height, context.closed());
-  if (!up.reachable()) return failed(std::string("it cannot be lifted on: ") + robot::describe(up.status()));
+  if (!up.reachable()) return failed("it cannot be lifted on: " + up.trouble());
   return {LiftOn(up.moves()), "lifting on"};
 }
 
 std::optional<Transition> LiftOn::step(PhaseContext& context) {
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   const Task& task = context.task;
   if (!task.command.carry) return Transition{HoldLifted(), ""};
   const CarryPlan plan = plan_carry(context.arm(), context.parameters, context.grip(),

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "services/task-manager/phases/way.hpp"
+#include "services/task-manager/phases/move_sequence.hpp"
 #include "services/task-manager/watches/mark_pair.hpp"
 
 namespace markservo::task_manager {
@@ -18,13 +18,13 @@ class Lift {
  public:
   static constexpr Phase kPhase = Phase::kLift;
 
-  explicit Lift(std::vector<Move> moves) : way_(std::move(moves)) {}
+  explicit Lift(std::vector<Move> moves) : moves_(std::move(moves)) {}
 
-  void begin(PhaseContext& context) { way_.begin(context); }
+  void begin(PhaseContext& context) { moves_.begin(context); }
   std::optional<Transition> step(PhaseContext& context);
 
  private:
-  Way way_;
+  MoveSequence moves_;
 };
 
 class Verify {
@@ -45,13 +45,13 @@ class LiftOn {
  public:
   static constexpr Phase kPhase = Phase::kLiftOn;
 
-  explicit LiftOn(std::vector<Move> moves) : way_(std::move(moves)) {}
+  explicit LiftOn(std::vector<Move> moves) : moves_(std::move(moves)) {}
 
-  void begin(PhaseContext& context) { way_.begin(context); }
+  void begin(PhaseContext& context) { moves_.begin(context); }
   std::optional<Transition> step(PhaseContext& context);
 
  private:
-  Way way_;
+  MoveSequence moves_;
 };
 
 }  // namespace markservo::task_manager

@@ -6,7 +6,7 @@
 #include "services/task-manager/guards.hpp"
 #include "services/task-manager/phases/active_phase.hpp"
 #include "services/task-manager/phases/endings.hpp"
-#include "services/task-manager/plans/taking_plan.hpp"
+#include "services/task-manager/plans/pick_plan.hpp"
 
 namespace markservo::task_manager {
 namespace {
@@ -64,8 +64,8 @@ std::optional<Transition> Look::step(PhaseContext& context) {
 Transition Look::decide(PhaseContext& context) const {
   const Eigen::Vector3d p_CT = target_.mean();
   const ArmReport& arm = *context.input.arm;
-  TakingPlan plan = plan_taking(context.robot, context.parameters, context.target(), p_CT, {arm.q, arm.gripper_opening},
-                                context.task.command.carry);
+  PickPlan plan = plan_pick(context.robot, context.parameters, context.target(), p_CT, {arm.q, arm.gripper_opening},
+                            context.task.command.carry);
   if (!plan.trouble.empty()) {
     if (auto nearer = drive_nearer(context, p_CT, plan.trouble)) return std::move(*nearer);
     return not_taken(context, plan.trouble);

@@ -7,8 +7,8 @@
 namespace markservo::task_manager {
 
 std::optional<Transition> Release::step(PhaseContext& context) {
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   context.holding.release();
   switch (then_) {
     case Then::kLookAgain:
@@ -31,13 +31,13 @@ Transition Release::look_again(PhaseContext& context) const {
 Transition Release::go_home(PhaseContext& context) const {
   const Goal& told = context.arm_goals.newest();
   const PosturePath path = plan_home(context.arm(), context.parameters, {told.q, told.opening});
-  if (!path.reachable()) return failed(std::string("no way home: ") + robot::describe(path.status()));
+  if (!path.reachable()) return failed("no way home: " + path.trouble());
   return {GoHome(path.moves(), then_ == Then::kGoHomeCarried), "on the way home"};
 }
 
 std::optional<Transition> GoHome::step(PhaseContext& context) {
-  const MoveReport way = way_.step(context);
-  if (way.state != MoveState::kDone) return not_done(way);
+  const MoveReport report = moves_.step(context);
+  if (report.state != MoveState::kDone) return not_done(report);
   if (carried_) context.task.result = Result::kLifted;
   return Transition{Done(), ""};
 }

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "services/task-manager/phases/way.hpp"
+#include "services/task-manager/phases/move_sequence.hpp"
 
 namespace markservo::task_manager {
 
@@ -22,16 +22,16 @@ class Release {
 
   // `failure`: why the hand lets go, where that leads to another look or to the task's failure.
   Release(std::vector<Move> moves, Then then, std::string failure = "")
-      : way_(std::move(moves)), then_(then), failure_(std::move(failure)) {}
+      : moves_(std::move(moves)), then_(then), failure_(std::move(failure)) {}
 
-  void begin(PhaseContext& context) { way_.begin(context); }
+  void begin(PhaseContext& context) { moves_.begin(context); }
   std::optional<Transition> step(PhaseContext& context);
 
  private:
   Transition look_again(PhaseContext& context) const;
   Transition go_home(PhaseContext& context) const;
 
-  Way way_;
+  MoveSequence moves_;
   Then then_;
   std::string failure_;
 };
@@ -41,13 +41,13 @@ class GoHome {
   static constexpr Phase kPhase = Phase::kGoHome;
 
   // `carried`: the object stands on the side table.
-  GoHome(std::vector<Move> moves, bool carried) : way_(std::move(moves)), carried_(carried) {}
+  GoHome(std::vector<Move> moves, bool carried) : moves_(std::move(moves)), carried_(carried) {}
 
-  void begin(PhaseContext& context) { way_.begin(context); }
+  void begin(PhaseContext& context) { moves_.begin(context); }
   std::optional<Transition> step(PhaseContext& context);
 
  private:
-  Way way_;
+  MoveSequence moves_;
   bool carried_;
 };
 

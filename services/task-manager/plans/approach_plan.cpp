@@ -10,7 +10,7 @@ namespace {
 
 using robot::ArmDescription;
 
-// A way that begins where the arm is, with the hand open at the end of its first move.
+// A path that begins where the arm is, with the hand open at the end of its first move.
 PosturePath begin_with_open_hand(const ArmDescription& arm, const Parameters& parameters, const HandState& hand) {
   PosturePath path(arm, hand.q, hand.opening, parameters.motion.joint_margin);
   const double open = arm.gripper.opening_max;
@@ -75,9 +75,7 @@ ApproachPlan plan_approach(const robot::RobotDescription& robot, const Parameter
                motion.free_speed);
   path.line_to(plan.p_CG_first, motion.free_step, motion.free_speed);
   path.line_to(p_CG - Eigen::Vector3d(0.0, plan.standoff, 0.0), motion.near_step, motion.near_speed);
-  if (!path.reachable()) {
-    plan.trouble = std::string("no way to a posture before the target: ") + robot::describe(path.status());
-  }
+  if (!path.reachable()) plan.trouble = "no way to a posture before the target: " + path.trouble();
   plan.moves = path.moves();
   return plan;
 }

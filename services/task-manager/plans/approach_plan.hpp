@@ -30,12 +30,12 @@ struct HandState {
 double visible_standoff(const robot::RobotDescription& robot, const Parameters& parameters,
                         const robot::MarkDescription& target, const Eigen::Vector3d& p_CT);
 
-// A way to the visible standoff before the target whose mark is at `p_CT` (m). Opens the hand first, leaves the row
+// A path to the visible standoff before the target whose mark is at `p_CT` (m). Opens the hand first, leaves the row
 // or the side table straight, goes up before the shelf, and passes the objects' fronts only on the line of approach.
 ApproachPlan plan_approach(const robot::RobotDescription& robot, const Parameters& parameters,
                            const robot::MarkDescription& target, const Eigen::Vector3d& p_CT, const HandState& hand);
 
-// A way home: the hand is opened if it is not, leaves the row or the side table straight, then folds. Not reachable
+// A path home: the hand is opened if it is not, leaves the row or the side table straight, then folds. Not reachable
 // only from postures outside the arm's limits.
 PosturePath plan_home(const robot::ArmDescription& arm, const Parameters& parameters, const HandState& hand);
 

@@ -1,8 +1,9 @@
 #include "services/task-manager/plans/carry_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "services/task-manager/plans/box_clearance.hpp"
@@ -47,9 +48,9 @@ double radius_of(const robot::ArmDescription& arm, const Eigen::Vector3d& p_CG) 
 
 }  // namespace
 
-double way_clearance(const robot::ArmDescription& arm, const CarryParameters& parameters,
-                     const robot::GripDescription& grip, const CarriedObject& object, const robot::JointVector& start,
-                     const std::vector<Move>& moves) {
+double path_clearance(const robot::ArmDescription& arm, const CarryParameters& parameters,
+                      const robot::GripDescription& grip, const CarriedObject& object, const robot::JointVector& start,
+                      const std::vector<Move>& moves) {
   constexpr double kSample = 0.02;  // rad between the postures looked at
   const std::vector<Box> boxes = obstacles(parameters, grip, object.p_CT_place);
   Box carried = standing_object(parameters, grip.object_width, object.p_CT_place);
@@ -83,7 +84,7 @@ CarryPlan plan_carry(const robot::ArmDescription& arm, const Parameters& paramet
 
   CarryPlan best;
   best.clearance = -std::numeric_limits<double>::infinity();
-  robot::ReachStatus status = robot::ReachStatus::kReachable;
+  std::string unreachable;  // of the way that was tried last
   for (double back = carry.retract_min; back < carry.retract_max + 0.5 * kRetractStep; back += kRetractStep) {
     for (const double along_arm : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const double slope = (p_CG.x() - column.x()) / std::max(0.01, p_CG.y() - column.y());
@@ -94,10 +95,10 @@ CarryPlan plan_carry(const robot::ArmDescription& arm, const Parameters& paramet
       path.line_to(around_column(arm, place_radius, carry.place_yaw, z), motion.near_step, motion.near_speed);
       path.line_to(around_column(arm, place_radius, carry.place_yaw, place_z), motion.near_step, motion.lift_speed);
       if (!path.reachable()) {
-        status = path.status();
+        unreachable = path.trouble();
         continue;
       }
-      const double clearance = way_clearance(arm, carry, grip, object, start, path.moves());
+      const double clearance = path_clearance(arm, carry, grip, object, start, path.moves());
       if (clearance > best.clearance) {
         best.clearance = clearance;
         best.moves = path.moves();
@@ -106,12 +107,10 @@ CarryPlan plan_carry(const robot::ArmDescription& arm, const Parameters& paramet
     }
   }
   if (best.moves.empty()) {
-    best.trouble = std::string("the way to the side table is ") + robot::describe(status);
+    best.trouble = "the way to the side table is " + unreachable;
   } else if (best.clearance < carry.clearance) {
-    char text[128];
-    std::snprintf(text, sizeof text, "on the way out it would come within %.1f mm of its neighbours, allowed: %.1f mm",
-                  1000.0 * best.clearance, 1000.0 * carry.clearance);
-    best.trouble = text;
+    best.trouble = fmt::format("on the way out it would come within {:.1f} mm of its neighbours, allowed: {:.1f} mm",
+                               1000.0 * best.clearance, 1000.0 * carry.clearance);
   }
   return best;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// With the lifted object out of its row, to the side table, down, and away from it.
+// The path with the lifted object out of its row, to the side table, down, and away from it.
 
 #include <string>
 
@@ -24,16 +24,16 @@ struct CarryPlan {
 
 // The least distance (m) of the object, fixed to the hand since q_grip, to both its neighbours and the board under
 // them, along `moves` from posture `start`, joints interpolated.
-double way_clearance(const robot::ArmDescription& arm, const CarryParameters& parameters,
-                     const robot::GripDescription& grip, const CarriedObject& object, const robot::JointVector& start,
-                     const std::vector<Move>& moves);
+double path_clearance(const robot::ArmDescription& arm, const CarryParameters& parameters,
+                      const robot::GripDescription& grip, const CarriedObject& object, const robot::JointVector& start,
+                      const std::vector<Move>& moves);
 
-// From `start` (rad), the object lifted. Searches how far and in which direction to draw it out (straight back, along
-// the arm, or between) for the widest clearance, since the hand turns as it comes nearer to the column.
+// Plans from posture `start` (rad), the object lifted. Searches how far and in which direction to draw it out (straight
+// back, along the arm, or between) for the widest clearance, since the hand turns as it comes nearer to the column.
 CarryPlan plan_carry(const robot::ArmDescription& arm, const Parameters& parameters, const robot::GripDescription& grip,
                      const CarriedObject& object, const robot::JointVector& start, double opening);
 
-// From where the object was put down: the hand opens and backs off along its own direction, then home.
+// A path from where the object was put down: the hand opens and backs off along its own direction, then home.
 PosturePath plan_release(const robot::ArmDescription& arm, const Parameters& parameters,
                          const robot::JointVector& start, double opening);
 

@@ -1,6 +1,10 @@
 #include "services/task-manager/plans/posture_path.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
+
+#include "common/geometry/plane_pose.hpp"
 
 namespace markservo::task_manager {
 namespace {
@@ -31,15 +35,23 @@ void PosturePath::line_to(const Eigen::Vector3d& p_CG, double step, double speed
   for (int i = 1; i <= pieces && reachable(); ++i) {
     const Eigen::Vector3d point = from + (p_CG - from) * (static_cast<double>(i) / pieces);
     const auto ik = robot::inverse_kinematics(arm_, point, joint_margin_);
-    status_ = ik.status;
-    if (reachable()) add(ik.q, speed, settle && i == pieces);
+    if (ik.status == robot::ReachStatus::kReachable) {
+      add(ik.q, speed, settle && i == pieces);
+    } else {
+      trouble_ = robot::why_unreachable(arm_, point, joint_margin_);
+    }
   }
 }
 
 void PosturePath::turn_to(double yaw, double speed) {
-  const robot::JointDescription& joint = arm_.joints[0];
-  if (yaw < joint.min || yaw > joint.max) status_ = robot::ReachStatus::kYawLimit;
   if (!reachable()) return;
+  const robot::JointDescription& joint = arm_.joints[0];
+  if (yaw < joint.min || yaw > joint.max) {
+    trouble_ = fmt::format("{}: {:.1f} degrees; allowed: {:.1f} to {:.1f} degrees",
+                           robot::describe(robot::ReachStatus::kYawLimit), geometry::degrees(yaw),
+                           geometry::degrees(joint.min), geometry::degrees(joint.max));
+    return;
+  }
   robot::JointVector q = end_;
   q[0] = yaw;
   add(q, speed, true);

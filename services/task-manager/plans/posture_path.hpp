@@ -3,6 +3,7 @@
 // Postures in a row along straight lines of the grip point, by inverse kinematics.
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "common/robot/arm_kinematics.hpp"
@@ -10,7 +11,7 @@
 
 namespace markservo::task_manager {
 
-// One goal of a way.
+// One goal of a path.
 struct Move {
   bool hold = false;  // stay where the arm is (only the gripper moves); else go to `q`
   robot::JointVector q = robot::JointVector::Zero();
@@ -20,23 +21,24 @@ struct Move {
   double dwell = 0.0;    // s, to wait there
 };
 
-// Builds a way from a posture. After the first point that cannot be reached it keeps that status and adds nothing.
+// Builds a path from a posture. After the first point that cannot be reached it keeps why, and adds nothing.
 class PosturePath {
  public:
   // `opening`: the gripper's at the start, m; `joint_margin`: rad inside the joints' limits.
   PosturePath(const robot::ArmDescription& arm, const robot::JointVector& start, double opening, double joint_margin);
 
-  // Straight on to `p_CG` (m), a posture at least every `step` (m); `settle`: coming to rest at its end.
+  // Adds a straight line to `p_CG` (m), a posture at least every `step` (m); `settle`: coming to rest at its end.
   void line_to(const Eigen::Vector3d& p_CG, double step, double speed, bool settle = true);
-  // About the column to this yaw (rad), radius and height kept.
+  // Adds a turn about the column to this yaw (rad), radius and height kept.
   void turn_to(double yaw, double speed);
-  // In joint space; checks no limit.
+  // Adds a motion in joint space to `q` (rad); checks no limit.
   void joints_to(const robot::JointVector& q, double speed);
-  // Moves the gripper and waits `dwell` (s).
+  // Adds a motion of the gripper to `opening` (m), and a wait of `dwell` (s).
   void gripper_to(double opening, double dwell);
 
-  robot::ReachStatus status() const { return status_; }
-  bool reachable() const { return status_ == robot::ReachStatus::kReachable; }
+  bool reachable() const { return trouble_.empty(); }
+  // Why that point cannot be reached, with the numbers (robot::why_unreachable); empty where all can.
+  const std::string& trouble() const { return trouble_; }
   const robot::JointVector& end() const { return end_; }
   Eigen::Vector3d end_point() const { return robot::grip_point(arm_, end_); }  // m in C
   const std::vector<Move>& moves() const { return moves_; }
@@ -48,7 +50,7 @@ class PosturePath {
   robot::JointVector end_;
   double opening_;
   double joint_margin_;
-  robot::ReachStatus status_ = robot::ReachStatus::kReachable;
+  std::string trouble_;
   std::vector<Move> moves_;
 };
 

@@ -1,6 +1,6 @@
 #include "services/task-manager/watches/drive_watch.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "common/time/seconds_between.hpp"
 
@@ -12,9 +12,7 @@ std::string with_reason(const std::string& text, const std::string& reason) {
 }
 
 std::string within(const char* text, double seconds) {
-  char words[96];
-  std::snprintf(words, sizeof words, "%s within %.1f s", text, seconds);
-  return words;
+  return fmt::format("{} within {:.1f} s", text, seconds);
 }
 
 // base-navigator has not said for too long how the goal stands: why.

@@ -11,7 +11,7 @@ void Holding::grip(const ArmReport& arm, double object_width) {
   q_ = arm.q;
 }
 
-void Holding::tell(double opening) {
+void Holding::observe_command(double opening) {
   if (something_) let_go_ = opening > object_width_;
 }
 

@@ -21,8 +21,8 @@ class Holding {
   void carry_away() { over_place_ = false; }
   // The hand has opened and gone.
   void release() { something_ = false; }
-  // The gripper is told this opening (m).
-  void tell(double opening);
+  // The gripper is commanded to this opening (m).
+  void observe_command(double opening);
 
   // The hand still holds it: it was not told to let go, and the arm's report does not speak against it.
   bool holds_on(const std::optional<ArmReport>& arm) const;

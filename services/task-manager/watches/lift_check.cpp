@@ -1,8 +1,9 @@
 #include "services/task-manager/watches/lift_check.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdio>
 
 #include "common/robot/arm_kinematics.hpp"
 
@@ -45,12 +46,10 @@ LiftVerdict check_lift(const robot::ArmDescription& arm, const LiftView& before,
                     hand_rise >= demand.rise_share * hand_predicted &&
                     target_rise >= demand.rise_share * target_predicted;
   verdict.came_along = rose && verdict.error.norm() <= demand.tolerance;
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "the hand's mark rose by %.1f mm of %.1f mm, the target's by %.1f mm of %.1f mm, %.1f mm off its way",
-                1000.0 * hand_rise, 1000.0 * hand_predicted, 1000.0 * target_rise, 1000.0 * target_predicted,
-                1000.0 * verdict.error.norm());
-  verdict.reason = text;
+  verdict.reason = fmt::format(
+      "the hand's mark rose by {:.1f} mm of {:.1f} mm, the target's by {:.1f} mm of {:.1f} mm, {:.1f} mm off its way",
+      1000.0 * hand_rise, 1000.0 * hand_predicted, 1000.0 * target_rise, 1000.0 * target_predicted,
+      1000.0 * verdict.error.norm());
   return verdict;
 }
 

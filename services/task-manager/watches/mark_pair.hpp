@@ -18,7 +18,7 @@ class MarkPair {
     hand_.add(frame_utime, hand.p_C);
   }
   int count() const { return target_.count(); }
-  // With the arm at `q` (rad).
+  // Both marks' mean places, with the arm at `q` (rad).
   LiftView view(const robot::JointVector& q) const { return {target_.mean(), hand_.mean(), q}; }
 
  private:

@@ -1,6 +1,6 @@
 #include "services/task-manager/watches/move_watch.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "common/time/seconds_between.hpp"
 
@@ -28,9 +28,9 @@ MoveReport watch_move(const Move& move, std::int64_t goal_id, const Input& input
   }
   if (progress.there && seconds_between(*progress.there, now) >= move.dwell) return {MoveState::kDone, ""};
   if (seconds_between(progress.since, now) > parameters.move_timeout + move.dwell) {
-    char text[96];
-    std::snprintf(text, sizeof text, "the arm did not come to a posture within %.1f s", parameters.move_timeout);
-    return {MoveState::kFailed, answered ? text : "visual-servo does not answer the goal"};
+    if (!answered) return {MoveState::kFailed, "visual-servo does not answer the goal"};
+    return {MoveState::kFailed,
+            fmt::format("the arm did not come to a posture within {:.1f} s", parameters.move_timeout)};
   }
   return {};
 }

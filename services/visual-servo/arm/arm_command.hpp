@@ -16,7 +16,7 @@ namespace markservo::visual_servo {
 
 struct ArmCommandParameters {
   double follow_lead = 0.7;  // rad; a command farther ahead of the arm waits: 0.4 s at full speed and some play
-  // Of the last step, per 1/30 s, once the arm must wait; never runs past a goal (gain 0.6).
+  // The part of the last step that each 1/30 s still makes once the arm must wait; never runs past a goal (gain 0.6).
   double slow_down_factor = 0.4;
   double slow_down_time = 0.12;  // s after which it stands
 };
@@ -51,7 +51,8 @@ class ArmCommand {
   std::string move(const robot::ArmDescription& arm, const ArmCommandParameters& parameters, const ArmStep& step,
                    const JointSample& now, double seconds);
 
-  // Where the arm rests nothing is left to be fast for: a word in this one's name could ask for no far step.
+  // Lowers the speed limit of an arm that rests: a command that is forged in this service's name is then believed for
+  // no large step.
   void relax(const SettlingParameters& parameters, const JointHistory& joints);
 
   const JointVector& position() const { return position_; }        // rad

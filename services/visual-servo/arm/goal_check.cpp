@@ -1,24 +1,16 @@
 #include "services/visual-servo/arm/goal_check.hpp"
 
-#include <cmath>
-#include <cstdarg>
-#include <cstdio>
+#include <fmt/format.h>
 
+#include <cmath>
+
+#include "common/geometry/degrees.hpp"
 #include "common/robot/arm_kinematics.hpp"
 
 namespace markservo::visual_servo {
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;
-
-__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
-  char text[256];
-  va_list arguments;
-  va_start(arguments, pattern);
-  std::vsnprintf(text, sizeof text, pattern, arguments);
-  va_end(arguments);
-  return text;
-}
+using geometry::kDegreesPerRadian;
 
 bool finite(const Goal& goal) {
   bool ok = goal.p_TG_C.allFinite() && std::isfinite(goal.tolerance) && std::isfinite(goal.speed) &&
@@ -29,13 +21,14 @@ bool finite(const Goal& goal) {
 
 std::string why_posture_is_refused(const robot::ArmDescription& arm, const Goal& goal) {
   if (goal.position.size() != arm.joints.size()) {
-    return format("posture has %zu joints, the arm has %zu", goal.position.size(), arm.joints.size());
+    return fmt::format("posture has {} joints, the arm has {}", goal.position.size(), arm.joints.size());
   }
   for (std::size_t i = 0; i < arm.joints.size(); ++i) {
     const auto& joint = arm.joints[i];
     if (goal.position[i] < joint.min || goal.position[i] > joint.max) {
-      return format("posture: joint %s at %.1f deg, allowed %.1f to %.1f deg", joint.name.c_str(),
-                    goal.position[i] * kDegrees, joint.min * kDegrees, joint.max * kDegrees);
+      return fmt::format("posture: joint {} at {:.1f} deg, allowed {:.1f} to {:.1f} deg", joint.name,
+                         goal.position[i] * kDegreesPerRadian, joint.min * kDegreesPerRadian,
+                         joint.max * kDegreesPerRadian);
     }
   }
   return "";
@@ -53,8 +46,9 @@ std::string why_target_is_refused(const robot::RobotDescription& robot, const Go
 
 std::string why_limit(const robot::ArmDescription& arm, std::size_t joint, double angle, double margin) {
   const auto& limits = arm.joints[joint];
-  return format("joint %s would be at %.1f deg, allowed %.1f to %.1f deg", limits.name.c_str(), angle * kDegrees,
-                (limits.min + margin) * kDegrees, (limits.max - margin) * kDegrees);
+  return fmt::format("joint {} would be at {:.1f} deg, allowed {:.1f} to {:.1f} deg", limits.name,
+                     angle * kDegreesPerRadian, (limits.min + margin) * kDegreesPerRadian,
+                     (limits.max - margin) * kDegreesPerRadian);
 }
 
 }  // namespace
@@ -62,8 +56,8 @@ std::string why_limit(const robot::ArmDescription& arm, std::size_t joint, doubl
 std::string why_goal_is_refused(const robot::RobotDescription& robot, const Goal& goal) {
   if (goal.kind == GoalKind::kUnknown) return "goal of unknown kind";
   if (!finite(goal)) return "goal holds a number that is not finite";
-  if (goal.tolerance < 0.0) return format("tolerance is %g m, allowed 0 or more", goal.tolerance);
-  if (goal.speed < 0.0) return format("speed is %g m/s, allowed 0 or more", goal.speed);
+  if (goal.tolerance < 0.0) return fmt::format("tolerance is {:g} m, allowed 0 or more", goal.tolerance);
+  if (goal.speed < 0.0) return fmt::format("speed is {:g} m/s, allowed 0 or more", goal.speed);
   if (goal.kind == GoalKind::kPosture) return why_posture_is_refused(*robot.arm, goal);
   if (goal.kind == GoalKind::kServo) return why_target_is_refused(robot, goal);
   return "";
@@ -77,13 +71,13 @@ std::string why_unreachable(const robot::ArmDescription& arm, const Eigen::Vecto
   const Eigen::Vector3d p_AG = robot::arm_base_pose(arm).inverse() * p_CG;
   const double across = std::hypot(p_AG.x(), p_AG.y());
   const double shoulder_to_goal = std::hypot(across, p_AG.z() - arm.column);
-  const std::string where = format("grip point (%.3f, %.3f, %.3f) m: ", p_CG.x(), p_CG.y(), p_CG.z());
+  const std::string where = fmt::format("grip point ({:.3f}, {:.3f}, {:.3f}) m: ", p_CG.x(), p_CG.y(), p_CG.z());
   switch (ik.status) {
     case robot::ReachStatus::kTooFar:
-      return where +
-             format("%.3f m from the shoulder, the arm reaches %.3f m", shoulder_to_goal, arm.upper_arm + arm.forearm);
+      return where + fmt::format("{:.3f} m from the shoulder, the arm reaches {:.3f} m", shoulder_to_goal,
+                                 arm.upper_arm + arm.forearm);
     case robot::ReachStatus::kTooClose:
-      return where + format("%.3f m from the shoulder, too close", shoulder_to_goal);
+      return where + fmt::format("{:.3f} m from the shoulder, too close", shoulder_to_goal);
     case robot::ReachStatus::kYawLimit:
       return where + why_limit(arm, 0, ik.q[0], margin);
     case robot::ReachStatus::kShoulderLimit:

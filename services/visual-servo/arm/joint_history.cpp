@@ -36,13 +36,13 @@ JointVector JointHistory::at(std::int64_t utime) const {
   const auto after = std::lower_bound(samples_.begin(), samples_.end(), utime,
                                       [](const JointSample& sample, std::int64_t t) { return sample.utime < t; });
   if (after == samples_.begin()) return samples_.front().position;
-  if (after == samples_.end()) return ahead(utime);
+  if (after == samples_.end()) return extrapolated(utime);
   const auto before = std::prev(after);
   const double part = seconds_between(before->utime, utime) / seconds_between(before->utime, after->utime);
   return before->position + part * (after->position - before->position);
 }
 
-JointVector JointHistory::ahead(std::int64_t utime) const {
+JointVector JointHistory::extrapolated(std::int64_t utime) const {
   const JointSample& last = samples_.back();
   if (samples_.size() < 2) return last.position;
   const JointSample& before = samples_[samples_.size() - 2];

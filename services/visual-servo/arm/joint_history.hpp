@@ -31,7 +31,7 @@ class JointHistory {
   std::optional<std::int64_t> near_since(const JointVector& position, double tolerance) const;
 
  private:
-  JointVector ahead(std::int64_t utime) const;
+  JointVector extrapolated(std::int64_t utime) const;
 
   std::deque<JointSample> samples_;
 };

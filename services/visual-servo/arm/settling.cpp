@@ -17,7 +17,7 @@ std::optional<std::int64_t> at_rest_since(const SettlingParameters& parameters, 
   return rested;
 }
 
-void SettledWindow::clear() {
+void SettledWindow::forget() {
   samples_.clear();
   seen_ = 0;
   in_doubt_ = false;

@@ -31,12 +31,12 @@ std::optional<std::int64_t> at_rest_since(const SettlingParameters& parameters, 
 // The newest samples of a point at rest.
 class SettledWindow {
  public:
-  void clear();
+  void forget();
   void add(const SettlingParameters& parameters, const Eigen::Vector3d& p);
   // What it holds leaves a doubt: nothing more is forgotten until `frames_in_doubt` are there.
   void look_longer() { in_doubt_ = true; }
 
-  // Enough samples that agree, or enough of waiting.
+  // Whether there are enough samples that agree, or it has waited for long enough.
   bool ready(const SettlingParameters& parameters) const;
   int size() const { return static_cast<int>(samples_.size()); }
   Eigen::Vector3d mean() const;

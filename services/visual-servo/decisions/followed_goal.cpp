@@ -26,7 +26,7 @@ void FollowedGoal::drop(const std::string& why) {
   end();
 }
 
-void FollowedGoal::judge_by_first_time(std::int64_t now, double age) {
+void FollowedGoal::end_unless_fresh(std::int64_t now, double age) {
   if (!inbox_.end_unless_fresh(now, age)) return;
   dropped_ = "the goal heard before the first JOINT_STATE is of another time: it was dropped";
   goal_.reset();

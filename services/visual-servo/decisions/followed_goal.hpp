@@ -20,12 +20,13 @@ class FollowedGoal {
   // The new goal cannot be followed at all; `why` for people, empty when it can.
   void refuse(const std::string& why) { refusal_ = why; }
 
-  // It will not be taken up again, though it is repeated.
+  // Ends the goal: it will not be taken up again, though it is repeated.
   void end();
-  // Likewise, since something began anew; `why` for people.
+  // Ends it likewise, since something began anew; `why` for people.
   void drop(const std::string& why);
-  // `now` (us) is the first time that is known: a goal that came before it is judged, so that none waits for its hour.
-  void judge_by_first_time(std::int64_t now, double age);
+  // To be called at the first time that is known, `now` (us): ends a goal that came before, unless it is fresh then, so
+  // that none waits for its hour.
+  void end_unless_fresh(std::int64_t now, double age);
 
   const std::optional<Goal>& goal() const { return goal_; }
   // Nothing is to move: there is none, or one that says so.

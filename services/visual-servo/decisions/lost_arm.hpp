@@ -7,10 +7,10 @@ namespace markservo::visual_servo {
 
 class LostArm {
  public:
-  // Another goal.
+  // To be called for another goal: the arm may be taken where it is once more.
   void forget() { taken_in_hold_ = false; }
-  // The arm rests elsewhere: whether it is to be taken there. `holds`: nothing is to move.
-  bool take(bool holds) {
+  // The arm rests elsewhere: whether its place is to be adopted. `holds`: nothing is to move.
+  bool adopts(bool holds) {
     if (holds && taken_in_hold_) return false;
     taken_in_hold_ = holds;
     return true;

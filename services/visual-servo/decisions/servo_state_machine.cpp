@@ -43,15 +43,15 @@ bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
   if (!sample.position.allFinite() || !std::isfinite(sample.gripper_opening)) return false;
   const bool first = state.joints.empty();
   if (state.joints.add(sample, servo_speeds(arm_))) state.command.require_adoption();
-  if (first) state.followed.judge_by_first_time(sample.utime, parameters_.goal_age);
-  const bool obeying = state.command.begun() && !state.command.adoption_due() && state.permit.released();
+  if (first) state.followed.end_unless_fresh(sample.utime, parameters_.goal_age);
+  const bool obeying = state.command.begun() && !state.command.adoption_due() && state.enable.released();
   state.gripper.observe(sample, obeying);
   return true;
 }
 
 motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) const {
   const std::int64_t now = state.joints.empty() ? 0 : state.joints.newest().utime;
-  const auto heard = state.followed.observe(goal, now, parameters_.goal_age, state.permit.latched());
+  const auto heard = state.followed.observe(goal, now, parameters_.goal_age, state.enable.latched());
   if (heard != motion::GoalHeard::kNew) return heard;
   state.followed.refuse(why_goal_is_refused(robot_, goal));
   state.lost.forget();
@@ -62,8 +62,8 @@ motion::GoalHeard ServoStateMachine::observe(const Goal& goal, State& state) con
 
 void ServoStateMachine::observe_stop(bool latched, const std::string& reason, State& state) const {
   // Even if the reset comes before the next picture: what was commanded before the stop must not be resumed.
-  if (latched || state.permit.latched()) state.command.require_adoption();
-  state.permit.observe_stop(latched, reason);
+  if (latched || state.enable.latched()) state.command.require_adoption();
+  state.enable.observe_stop(latched, reason);
   if (latched) state.followed.end();
 }
 
@@ -94,22 +94,22 @@ Output ServoStateMachine::step(const PoseSample& pose, State& state) const {
   // One picture with an impossible time must not make all that follow look old.
   if (stale.empty()) advance_time(pose, state);
 
-  if (!state.permit.blocked().empty()) {
+  if (!state.enable.conflict().empty()) {
     state.command.hold();
     state.gripper.adopt(arm_.gripper, state.joints.newest());
-    decide(ServoState::kStopped, state.permit.blocked(), status);
-  } else if (!state.permit.released()) {
+    decide(ServoState::kStopped, state.enable.conflict(), status);
+  } else if (!state.enable.released()) {
     state.command.hold();
     // A stopped arm rests short of its command: begin from there.
     if (state.joints.newest().position != state.command.position()) adopt_joints(state);
     state.gripper.adopt(arm_.gripper, state.joints.newest());
-    decide(ServoState::kStopped, state.permit.why_stopped(), status);
+    decide(ServoState::kStopped, state.enable.why_stopped(), status);
   } else if (!stale.empty()) {
     state.command.hold();
     decide(ServoState::kStale, stale, status);
   } else if (const std::string goal_stale = state.followed.why_stale(state.joints.newest().utime, parameters_.goal_age);
              !goal_stale.empty()) {
-    state.law.pause();
+    state.law.interrupt();
     slow_down(state);
     state.gripper.adopt(arm_.gripper, state.joints.newest());
     decide(ServoState::kStale, goal_stale, status);
@@ -151,7 +151,7 @@ std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& st
 
 void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status& status) const {
   const JointSample& now = state.joints.newest();
-  status.reason = take_lost_arm(state);
+  status.reason = adopt_lost_arm(state);
   status.settled = state.command.at_rest_since(parameters_.sight.settling, state.joints).has_value();
   if (!state.followed.goal()) {
     status.state = ServoState::kHold;
@@ -182,11 +182,11 @@ void ServoStateMachine::follow_goal(const PoseSample& pose, State& state, Status
   }
 }
 
-std::string ServoStateMachine::take_lost_arm(State& state) const {
+std::string ServoStateMachine::adopt_lost_arm(State& state) const {
   const JointVector& q_now = state.joints.newest().position;
   const bool elsewhere = (q_now - state.command.position()).cwiseAbs().maxCoeff() > parameters_.lost_arm;
   if (!elsewhere || !state.command.at_rest_since(parameters_.sight.settling, state.joints)) return "";
-  if (!state.lost.take(state.followed.holds())) return "the arm does not rest where it is told to";
+  if (!state.lost.adopts(state.followed.holds())) return "the arm does not rest where it is told to";
   adopt_joints(state);
   return "";
 }
@@ -216,7 +216,7 @@ void ServoStateMachine::move_to_posture(State& state, Status& status) const {
 void ServoStateMachine::servo(const PoseSample& pose, State& state, Status& status) const {
   const Goal& goal = *state.followed.goal();
   const Sighting sighting =
-      state.marks.see(parameters_.marks, arm_, pose, state.joints.at(pose.utime), hand_name_, goal.target);
+      state.marks.observe(parameters_.marks, arm_, pose, state.joints.at(pose.utime), hand_name_, goal.target);
   status.settled = false;
   if (!sighting.lost.empty()) {
     decide(ServoState::kLost, sighting.lost, status);

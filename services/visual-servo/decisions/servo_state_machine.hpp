@@ -12,7 +12,7 @@
 #include "services/visual-servo/arm/joint_history.hpp"
 #include "services/visual-servo/decisions/followed_goal.hpp"
 #include "services/visual-servo/decisions/lost_arm.hpp"
-#include "services/visual-servo/decisions/motion_permit.hpp"
+#include "services/visual-servo/decisions/motion_enable.hpp"
 #include "services/visual-servo/decisions/picture_clock.hpp"
 #include "services/visual-servo/laws/law_state.hpp"
 #include "services/visual-servo/laws/posture_motion.hpp"
@@ -42,7 +42,7 @@ struct Parameters {
 // All memory between messages.
 struct State {
   JointHistory joints;
-  MotionPermit permit;
+  MotionEnable enable;
   FollowedGoal followed;
   LostArm lost;
   PictureClock pictures;
@@ -77,7 +77,7 @@ class ServoStateMachine {
   std::string why_stale(const PoseSample& pose, const State& state) const;
   void follow_goal(const PoseSample& pose, State& state, Status& status) const;
   // Why an arm that rests elsewhere is left there; empty when it does not, or has been taken where it is.
-  std::string take_lost_arm(State& state) const;
+  std::string adopt_lost_arm(State& state) const;
   void slow_down(State& state) const;
   void move(const ArmStep& step, State& state, Status& status) const;
   void move_to_posture(State& state, Status& status) const;

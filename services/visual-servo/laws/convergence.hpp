@@ -21,7 +21,8 @@ double tolerance_of(const ConvergenceParameters& parameters, double stated);
 
 enum class Verdict { kConverged, kInDoubt, kOff };
 
-// Of an averaged error (m) after so many corrections. `many_frames`: as many as are averaged in doubt are behind it.
+// Judges an averaged error (m) after so many corrections. `many_frames`: the average is of as many frames as are taken
+// in doubt.
 Verdict judge(const ConvergenceParameters& parameters, double tolerance, int corrections, double error,
               bool many_frames);
 

@@ -11,15 +11,17 @@ struct LawState {
   SightState sight;
   PaperState paper;
 
-  // Another goal, or an arm that was taken up anew.
+  // To be called for another goal, and when the arm is taken up anew.
   void forget() { *this = LawState(); }
-  // Pictures of another writer: what was learned by sight is forgotten. The paper's law learns nothing.
+  // To be called when the pictures are of another writer: what was learned by sight is forgotten. The paper's law
+  // learns nothing.
   void forget_pictures() { sight = SightState(); }
-  // Hand or target is not seen now: nothing is averaged over that. The paper's law counts on when they are back.
-  void lose_sight() { sight.window.clear(); }
-  // The goal's sender is silent, so that nothing is done for it now.
-  void pause() {
-    sight.window.clear();
+  // To be called when hand or target is not seen: nothing is averaged over that. The paper's law counts on when both
+  // are back.
+  void lose_sight() { sight.window.forget(); }
+  // To be called while the goal's sender is silent, so that nothing is done for the goal.
+  void interrupt() {
+    sight.window.forget();
     paper = PaperState();
   }
 };

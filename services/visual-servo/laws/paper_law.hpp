@@ -19,7 +19,7 @@ Eigen::Vector3d paper_error(const robot::PaperLawDescription& law, const Eigen::
 robot::JointVector paper_step(const robot::PaperLawDescription& law, const Eigen::Vector3d& error, double seconds,
                               double joint_speed);
 
-// As the law by sight has them, so that both are compared alike; no defaults of its own.
+// The parameters have no defaults: they are those of the law by sight, so that both are compared alike.
 struct PaperParameters {
   double tolerance = 0.0;     // m, when the goal states none
   int frames = 0;             // in a row within tolerance, after which it has converged

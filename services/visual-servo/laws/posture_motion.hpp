@@ -7,7 +7,7 @@
 namespace markservo::visual_servo {
 
 struct PostureMotionParameters {
-  double joint_speed = 1.5;         // rad/s (86 degrees/s) of the joint with the longest way
+  double joint_speed = 1.5;         // rad/s (86 degrees/s) of the joint that has farthest to go
   double joint_acceleration = 8.0;  // rad/s^2; full speed after 0.2 s
 };
 

@@ -9,7 +9,7 @@
 namespace markservo::visual_servo {
 
 struct ResolvedRateParameters {
-  double gain = 0.6;  // part of the remaining way per frame; settles in 4 frames, stable for a Jacobian wrong by 30%
+  double gain = 0.6;          // of what remains, per frame; settles in 4 frames, stable for a Jacobian wrong by 30%
   double damping = 0.01;      // m; the Jacobian's singular values are 0.08 to 0.35 m, so it costs 1% and tames the rest
   double joint_speed = 1.75;  // rad/s (100 degrees/s), a third of the servos' own: they follow without lag
   double grip_speed = 0.45;   // m/s; 15 cm in 0.35 s

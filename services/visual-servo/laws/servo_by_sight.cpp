@@ -55,7 +55,7 @@ void refine_entry(const Frame& frame, SightState& state) {
 void finish_entry(const Frame& frame, SightState& state, LawAnswer& answer) {
   if (state.corrections == 0) refine_entry(frame, state);
   answer.step.change = state.final - frame.q_command;
-  state.window.clear();
+  state.window.forget();
   state.phase = Phase::kSettle;
 }
 
@@ -148,7 +148,7 @@ void stay_converged(const Frame& frame, SightState& state, LawAnswer& answer) {
   if (!answer.converged) {
     state.phase = Phase::kSettle;
     state.corrections = 0;
-    state.window.clear();
+    state.window.forget();
   }
 }
 
@@ -168,7 +168,8 @@ LawAnswer ServoBySight::step(const LawInput& input, LawState& law_state) const {
                     seen_grip_point(arm_, sighting.q_exposure, sighting.p_CM),
                     input.p_CG_goal(),
                     tolerance_of(parameters_.convergence, input.goal.tolerance)};
-  state.bias.see(arm_, parameters_.bias, sighting.q_exposure, speed_at(input.joints, sighting.utime), sighting.p_CM);
+  state.bias.observe(arm_, parameters_.bias, sighting.q_exposure, speed_at(input.joints, sighting.utime),
+                     sighting.p_CM);
 
   LawAnswer answer;
   answer.error = frame.p_CG - frame.p_CG_goal;

@@ -1,7 +1,6 @@
 #include "services/visual-servo/sight/hand_and_target.hpp"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "services/visual-servo/sight/in_flight.hpp"
 #include "services/visual-servo/sight/mark_lookup.hpp"
@@ -14,23 +13,21 @@ std::string why_another_thing(const robot::ArmDescription& arm, const JointVecto
                               double allowed) {
   const double mismatch = kinematic_bias(arm, q_exposure, hand.p_C).norm();
   if (!(mismatch > allowed)) return "";
-  std::array<char, 128> text{};
-  std::snprintf(text.data(), text.size(), "mark %s: %.3f m from where the joints say it is, allowed %.3f m",
-                hand.name.c_str(), mismatch, allowed);
-  return text.data();
+  return fmt::format("mark {}: {:.3f} m from where the joints say it is, allowed {:.3f} m", hand.name, mismatch,
+                     allowed);
 }
 
 }  // namespace
 
-Sighting HandAndTarget::see(const HandAndTargetParameters& parameters, const robot::ArmDescription& arm,
-                            const PoseSample& pose, const JointVector& q_exposure, const std::string& hand,
-                            const std::string& target) {
+Sighting HandAndTarget::observe(const HandAndTargetParameters& parameters, const robot::ArmDescription& arm,
+                                const PoseSample& pose, const JointVector& q_exposure, const std::string& hand,
+                                const std::string& target) {
   Sighting sighting;
   const MarkSample* hand_mark = find(pose, hand);
   const MarkSample* target_mark = find(pose, target);
   sighting.lost = why_lost(target_mark, target);
   if (!sighting.lost.empty()) return sighting;
-  target_.see(parameters.target, target_mark->p_C, target_mark->covariance);
+  target_.observe(parameters.target, target_mark->p_C, target_mark->covariance);
   sighting.lost = why_lost(hand_mark, hand);
   if (!sighting.lost.empty()) return sighting;
   sighting.lost = why_another_thing(arm, q_exposure, *hand_mark, parameters.hand_mismatch);

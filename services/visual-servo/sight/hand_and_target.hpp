@@ -31,9 +31,9 @@ struct Sighting {
 class HandAndTarget {
  public:
   // Takes in one frame, with the joints at its exposure (rad). `hand` and `target`: the marks' names.
-  Sighting see(const HandAndTargetParameters& parameters, const robot::ArmDescription& arm, const PoseSample& pose,
-               const JointVector& q_exposure, const std::string& hand, const std::string& target);
-  // Another target, or pictures of another writer.
+  Sighting observe(const HandAndTargetParameters& parameters, const robot::ArmDescription& arm, const PoseSample& pose,
+                   const JointVector& q_exposure, const std::string& hand, const std::string& target);
+  // To be called for another target, and when the pictures are of another writer.
   void forget() { target_.forget(); }
 
  private:

@@ -48,9 +48,9 @@ void KinematicBias::begin(const KinematicBiasParameters& parameters) {
       squared(parameters.lag_sigma), squared(parameters.run_up_sigma);
 }
 
-void KinematicBias::see(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
-                        const robot::JointVector& q_exposure, const robot::JointVector& speed,
-                        const Eigen::Vector3d& p_CM) {
+void KinematicBias::observe(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
+                            const robot::JointVector& q_exposure, const robot::JointVector& speed,
+                            const Eigen::Vector3d& p_CM) {
   if (!begun_) begin(parameters);
   for (int i = 0; i < robot::kNumJoints; ++i) {
     if (std::abs(speed[i]) > kMoving) directions_[i] = speed[i] > 0.0 ? 1.0 : -1.0;

@@ -31,15 +31,15 @@ class KinematicBias {
  public:
   // Takes one frame: the hand mark's centre `p_CM` (m) with the joints at its exposure (rad) and the speeds by which
   // they came there (rad/s).
-  void see(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
-           const robot::JointVector& q_exposure, const robot::JointVector& speed, const Eigen::Vector3d& p_CM);
+  void observe(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
+               const robot::JointVector& q_exposure, const robot::JointVector& speed, const Eigen::Vector3d& p_CM);
 
   // To be added to the kinematic grip point (m, in C) of a hand at rest in posture `q`, at which its joints arrived in
   // `directions` (each -1 or 1, 0 where nothing is known).
   Eigen::Vector3d at(const robot::ArmDescription& arm, const robot::JointVector& q,
                      const robot::JointVector& directions) const;
 
-  // In which the joints moved last, as `at` takes them.
+  // The directions in which the joints moved last, as at() takes them.
   const robot::JointVector& directions() const { return directions_; }
 
  private:

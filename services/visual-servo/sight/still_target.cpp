@@ -5,8 +5,8 @@
 
 namespace markservo::visual_servo {
 
-void StillTarget::see(const StillTargetParameters& parameters, const Eigen::Vector3d& p,
-                      const Eigen::Matrix3d& covariance) {
+void StillTarget::observe(const StillTargetParameters& parameters, const Eigen::Vector3d& p,
+                          const Eigen::Matrix3d& covariance) {
   constexpr double kSigmas = 5.0;
   const double sigma = std::sqrt(std::max(0.0, covariance.trace()));
   const bool outside = frames_ > 0 && (p - mean_).norm() > std::max(parameters.gate, kSigmas * sigma);

@@ -15,7 +15,7 @@ struct StillTargetParameters {
 class StillTarget {
  public:
   // Takes one frame's position (m, in C) with its covariance (m^2).
-  void see(const StillTargetParameters& parameters, const Eigen::Vector3d& p, const Eigen::Matrix3d& covariance);
+  void observe(const StillTargetParameters& parameters, const Eigen::Vector3d& p, const Eigen::Matrix3d& covariance);
   void forget() { *this = StillTarget(); }
 
   bool seen() const { return frames_ > 0; }

@@ -52,7 +52,7 @@ std::vector<double> times_after(const Drive& drive, double settling) {
 
 WanderScore localise_in_process(const Drive& drive, const robot::RobotDescription& robot, const WanderRun& run) {
   localizer::LocalizerParameters parameters = localizer::parameters_of(robot);
-  parameters.judge_wheels = run.judging;
+  if (!run.judging) parameters.judge.reset();
   localizer::Localizer localizer(*robot.base, *robot.rfid, robot.floor_tags->field(run.tag_field), parameters);
   WanderScore score;
   std::vector<PoseEstimate> estimates;

@@ -67,7 +67,7 @@ struct Bars {
   double words_rate = 1.2;       // SERVICE_STATUS of a service a second
   double words_of_change = 6.0;  // and so many more of each, while it comes back
   double calm = 1.0;             // s after the faults until bytes count
-  double task_patience = 40.0;   // s, I9: a task has ended by then
+  double task_patience = 40.0;   // s, world, I9: a task has ended by then, however slow the machine is
   // s, world, I9: a task of which nothing changes for so long does not end; a base in whose way something stands waits
   // for 20, and none longer.
   double task_stands = 22.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -28,6 +29,16 @@ std::string wrong_joint(const JointCommand& command, std::size_t i, const Bars& 
     return text("joint %zu at %.4f rad/s, its limit is %.4f", i, speed, bars.joint_speed[i]);
   }
   return {};
+}
+
+// What a process that hung says as it goes on answers what was measured before, and no mover obeys it: where the shafts
+// are by then says nothing of it.
+bool too_old_to_be_obeyed(const Timeline& timeline, const Heard<JointCommand>& command, const Bars& bars) {
+  const auto& truth = timeline.base_truth;
+  const auto after = std::upper_bound(truth.begin(), truth.end(), command.t,
+                                      [](std::int64_t t, const auto& heard) { return t < heard.t; });
+  if (after == truth.begin()) return false;
+  return seconds_between(command.message.utime, std::prev(after)->message.utime) > bars.command_age + bars.truth_period;
 }
 
 // Whoever commanded it, the arm stays within its joints' limits, and no joint is faster than it may be.
@@ -84,10 +95,11 @@ Verdict commands_are_within_limits(const Timeline& timeline, const Bars& bars) {
     const JointCommand& command = heard.message;
     if (heard.foreign || !timeline.is("visual-servo", command.session)) continue;
     ++verdict.judged;
+    const bool too_old = too_old_to_be_obeyed(timeline, heard, bars);
     for (std::size_t i = 0; i < command.position.size() && i < command.speed_limit.size(); ++i) {
       if (const std::string wrong = wrong_joint(command, i, bars); !wrong.empty()) note(verdict, heard.t, wrong);
       double lead = 0.0;
-      if (!shafts.distance(heard.t, i, command.position[i], lead)) continue;
+      if (too_old || !shafts.distance(heard.t, i, command.position[i], lead)) continue;
       const double allowed = bars.lead_time * command.speed_limit[i] + bars.lead_rad;
       if (lead <= allowed + bars.rounding) continue;
       note(verdict, heard.t,

@@ -143,6 +143,11 @@ double RobotWork::stands_for() {
   return seconds_between(seen_base_.utime, base.utime);
 }
 
+double RobotWork::world_seconds() {
+  clock_.heard(Bench::now(), bench_.base_truth().utime);
+  return clock_.at(Bench::now());
+}
+
 bool RobotWork::task_ended() const {
   return !started_ || is_end(bench_.task().state);
 }

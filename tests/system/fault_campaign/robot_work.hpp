@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/system/fault_campaign/bench.hpp"
+#include "tests/system/fault_campaign/world_clock.hpp"
 
 namespace markservo::campaign {
 
@@ -27,6 +28,8 @@ class RobotWork {
   // time.
   void watch_for_standstill();
   double stands_for();
+  // The world's time as it passed since the work began: s.
+  double world_seconds();
 
  private:
   bool release();
@@ -42,6 +45,7 @@ class RobotWork {
   SimBaseTruth seen_base_{};
   int seen_state_ = -1;
   std::string problem_;
+  WorldClock clock_;
 };
 
 inline constexpr const char* kTarget = "red_book";

@@ -15,9 +15,10 @@ namespace {
 constexpr double kRecovery_s = 15.0;
 constexpr double kShortestRecovery_s = 5.0;  // counters, rates and sizes need so much to be judged
 constexpr double kReadyFor_s = 2.0;
-// A little above the checker's, so that a task that never ends is seen.
+// By the world's time, and a little above the checker's, so that a task that never ends is seen.
 const double kTaskPatience_s = Bars().task_patience + 2.0;
-const double kTaskStands_s = Bars().task_stands + 1.0;  // by the world's time
+const double kTaskStands_s = Bars().task_stands + 1.0;
+constexpr double kLongestTask_s = 150.0;  // the simulator runs at a third of real time at least
 
 }  // namespace
 
@@ -113,8 +114,10 @@ void Trial::recover() {
 // A task that is under way when the robot is well again is waited for: until it ends, or nothing of it goes on.
 void Trial::wait_for_the_task(std::int64_t gone) {
   work_.watch_for_standstill();
-  bench_.listen(kTaskPatience_s - seconds_between(gone, Bench::now()),
-                [this] { return work_.task_ended() || work_.stands_for() > kTaskStands_s; });
+  const double began = work_.world_seconds() - seconds_between(gone, Bench::now());
+  bench_.listen(kLongestTask_s, [this, began] {
+    return work_.task_ended() || work_.stands_for() > kTaskStands_s || work_.world_seconds() - began > kTaskPatience_s;
+  });
 }
 
 void Trial::end_all() {

@@ -78,10 +78,10 @@ void judge_endless(const Timeline& timeline, const Heard<TaskState>& last, const
     note(verdict, last.t,
          text("the task stands in state %s, and nothing has changed for %.1f s (world)",
               experiments::task_state_name(last.message.state), stood));
-  } else if (seconds_between(timeline.faults_gone(), timeline.ended_at) > bars.task_patience) {
+  } else if (timeline.clock.at(timeline.ended_at) - timeline.clock.at(timeline.faults_gone()) > bars.task_patience) {
     note(verdict, last.t,
-         text("the task is in state %s %.1f s after the fault", experiments::task_state_name(last.message.state),
-              bars.task_patience));
+         text("the task is in state %s %.1f s (world) after the fault",
+              experiments::task_state_name(last.message.state), bars.task_patience));
   }
 }
 

@@ -45,7 +45,7 @@ TEST_F(UnknownHeading, FailsAfterItsDistanceUntilTheHeadingIsKnownAllTheSame) {
 TEST_F(UnknownHeading, AnotherGoalPermitsToTryOnceMore) {
   step(0.0);
   step(0.41);
-  exploration_.permit();
+  exploration_.forget_failure();
   EXPECT_FALSE(exploration_.failed());
   EXPECT_EQ(step(0.41)->state, DriveState::kDriving);
 }

@@ -22,8 +22,8 @@ class TurnWithoutRoom : public testing::Test {
     return turn;
   }
 
-  std::optional<Advice> make(double bearing, int corrections = 0) {
-    return room_.make(parameters_, guard_, situation_, kClearance, blocked_by(bearing), corrections);
+  std::optional<Advice> step(double bearing, int corrections = 0) {
+    return room_.step(parameters_, guard_, situation_, kClearance, blocked_by(bearing), corrections);
   }
 
   void go_to(double x, bool turning = true) {
@@ -38,29 +38,29 @@ class TurnWithoutRoom : public testing::Test {
 };
 
 TEST_F(TurnWithoutRoom, GoesAwayFromWhatStandsInItsWay) {
-  EXPECT_LT(make(0.3)->motion.speed, 0.0);
-  EXPECT_GT(make(M_PI)->motion.speed, 0.0);
+  EXPECT_LT(step(0.3)->motion.speed, 0.0);
+  EXPECT_GT(step(M_PI)->motion.speed, 0.0);
 }
 
 TEST_F(TurnWithoutRoom, StaysWhereThereIsNoRoomOnTheOtherSideEither) {
   SeenPoint behind;
   behind.p_R = {-0.24, 0.0};
   situation_.points = {behind};
-  EXPECT_FALSE(make(0.3).has_value());
+  EXPECT_FALSE(step(0.3).has_value());
 }
 
 TEST_F(TurnWithoutRoom, GoesNoFartherThanAllowedAndAsFarAgainForEachCorrection) {
-  make(0.3);
+  step(0.3);
   go_to(-0.3);
-  EXPECT_TRUE(make(0.3).has_value());
+  EXPECT_TRUE(step(0.3).has_value());
   go_to(-0.52);
   EXPECT_NEAR(room_.made(), 0.52, 1e-12);
-  EXPECT_FALSE(make(0.3).has_value());
-  EXPECT_TRUE(make(0.3, 1).has_value());
+  EXPECT_FALSE(step(0.3).has_value());
+  EXPECT_TRUE(step(0.3, 1).has_value());
 }
 
 TEST_F(TurnWithoutRoom, OnlyTheWayOfTheTurnCounts) {
-  make(0.3);
+  step(0.3);
   go_to(-0.1);
   go_to(-0.2, false);
   go_to(-0.4);
@@ -68,7 +68,7 @@ TEST_F(TurnWithoutRoom, OnlyTheWayOfTheTurnCounts) {
 }
 
 TEST_F(TurnWithoutRoom, AnotherFrameOfTheWheelsIsNoWay) {
-  make(0.3);
+  step(0.3);
   situation_.epoch = 2;
   go_to(7.0);
   EXPECT_EQ(room_.made(), 0.0);

@@ -43,8 +43,8 @@ class ServiceMain : public ::testing::Test {
   ServiceMain() : file_(std::filesystem::temp_directory_path() / ("markservo-service-" + std::to_string(getpid()))) {}
   ~ServiceMain() override { std::filesystem::remove(file_); }
 
-  int run(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "one-setting");
+  int run(std::vector<std::string> arguments, const std::string& program = "one-setting") {
+    arguments.insert(arguments.begin(), program);
     std::vector<char*> argv;
     argv.reserve(arguments.size());
     for (auto& argument : arguments) argv.push_back(argument.data());
@@ -65,6 +65,15 @@ class ServiceMain : public ::testing::Test {
 
 TEST_F(ServiceMain, EndsWithZeroWhenStopped) {
   EXPECT_EQ(run({"--lcm-url", "memq://"}), kExitStopped);
+}
+
+TEST_F(ServiceMain, SpeaksInTheNameOfTheCommandThatWasTyped) {
+  EXPECT_EQ(run({"--gain"}, "markservo setting"), kExitBadConfiguration);
+  EXPECT_EQ(errors_.rfind("setting: ", 0), 0U) << errors_;
+  EXPECT_NE(errors_.find("; see markservo setting --help\n"), std::string::npos) << errors_;
+  EXPECT_EQ(run({"--gain"}, "build/release/bin/one-setting"), kExitBadConfiguration);
+  EXPECT_EQ(errors_.rfind("one-setting: ", 0), 0U) << errors_;
+  EXPECT_NE(errors_.find("; see one-setting --help\n"), std::string::npos) << errors_;
 }
 
 TEST_F(ServiceMain, ReadsItsConfigFileAndPrintsAllSettings) {

@@ -37,7 +37,7 @@ ServiceWord word(const std::string& name, int pid, std::int64_t session, std::in
 
 // `events` messages at 10 Hz.
 void hear_stream(Census& census, const std::string& channel, int events, std::int64_t session) {
-  for (int i = 0; i < events; ++i) census.hear(message(channel, i * 100'000, session, i + 1));
+  for (int i = 0; i < events; ++i) census.observe(message(channel, i * 100'000, session, i + 1));
 }
 
 ChannelReport channel_of(const Census& census, const std::string& name) {
@@ -65,17 +65,17 @@ TEST(Census, TakesTheWholeSpanForTheRateOfAFewMessages) {
 
 TEST(Census, CountsGapsInTheNumbersAsLost) {
   Census census(kBegin_us);
-  census.hear(message("POSE", 0, 5, 1));
-  for (const std::int64_t seq : {4, 5}) census.hear(message("POSE", seq, 5, seq));
+  census.observe(message("POSE", 0, 5, 1));
+  for (const std::int64_t seq : {4, 5}) census.observe(message("POSE", seq, 5, seq));
   EXPECT_EQ(channel_of(census, "POSE").lost, 2);
 }
 
 TEST(Census, KnowsARestartedWriterFromASecondOne) {
   Census census(kBegin_us);
-  census.hear(message("POSE", 0, 5, 1));
-  census.hear(message("POSE", 1, 6, 1));
+  census.observe(message("POSE", 0, 5, 1));
+  census.observe(message("POSE", 1, 6, 1));
   EXPECT_FALSE(channel_of(census, "POSE").two_writers);
-  census.hear(message("POSE", 2, 5, 2));
+  census.observe(message("POSE", 2, 5, 2));
   EXPECT_TRUE(channel_of(census, "POSE").two_writers);
   EXPECT_EQ(channel_of(census, "POSE").writers.size(), 2U);
 }
@@ -83,7 +83,7 @@ TEST(Census, KnowsARestartedWriterFromASecondOne) {
 TEST(Census, AllowsManyWritersWhereManyMayWrite) {
   for (const char* channel : {"STOP", "r1/STOP_STATE", "SERVICE_STATUS"}) {
     Census census(kBegin_us);
-    for (const std::int64_t session : {5, 6, 5}) census.hear(message(channel, 0, session, 1));
+    for (const std::int64_t session : {5, 6, 5}) census.observe(message(channel, 0, session, 1));
     EXPECT_FALSE(channel_of(census, channel).two_writers) << channel;
   }
 }
@@ -94,7 +94,7 @@ TEST(Census, NoticesAChannelThatChangesItsType) {
   EXPECT_FALSE(channel_of(census, "POSE").several_types);
   Heard other = message("POSE", 9, 5, 4);
   other.hash = 8;
-  census.hear(other);
+  census.observe(other);
   EXPECT_TRUE(channel_of(census, "POSE").several_types);
 }
 
@@ -106,9 +106,9 @@ TEST(Census, NamesWhoWritesAnotherVersionOfAType) {
   other.hash = 8;
   other.utime = kBegin_us;
   other.other_version = OtherVersion{"Kind", 7, 6};
-  census.hear(other);
-  census.hear(other);
-  census.hear(word("locator", 10, 6, 0), kBegin_us + 100);
+  census.observe(other);
+  census.observe(other);
+  census.observe(word("locator", 10, 6, 0), kBegin_us + 100);
   const ChannelReport pose = channel_of(census, "POSE");
   ASSERT_EQ(pose.other_versions.size(), 1U);
   EXPECT_EQ(pose.other_versions[0].service, "locator");
@@ -124,7 +124,7 @@ TEST(Census, ForgetsOtherVersionsWhereThereAreTooMany) {
     Heard other;
     other.channel = "POSE";
     other.other_version = OtherVersion{"Kind", 7, session};
-    census.hear(other);
+    census.observe(other);
   }
   EXPECT_LE(channel_of(census, "POSE").other_versions.size(), 8U);
 }
@@ -134,7 +134,7 @@ TEST(Census, CountsWhatItCannotDecode) {
   Heard unknown;
   unknown.channel = "STRANGE";
   unknown.utime = kBegin_us;
-  census.hear(unknown);
+  census.observe(unknown);
   EXPECT_EQ(channel_of(census, "STRANGE").events, 1);
   EXPECT_TRUE(channel_of(census, "STRANGE").writers.empty());
 }
@@ -143,7 +143,7 @@ TEST(Census, NamesTheServiceThatWritesAChannel) {
   Census census(kBegin_us);
   hear_stream(census, "POSE", 3, 5);
   hear_stream(census, "SERVICE_STATUS", 1, 5);
-  census.hear(word("locator", 10, 5, 0), kBegin_us + 100);
+  census.observe(word("locator", 10, 5, 0), kBegin_us + 100);
   const Report report = census.report(kBegin_us + kSecond_us);
   ASSERT_EQ(report.services.size(), 1U);
   EXPECT_EQ(report.services[0].writes, std::vector<std::string>{"POSE"});
@@ -153,8 +153,8 @@ TEST(Census, NamesTheServiceThatWritesAChannel) {
 TEST(Census, NamesTwoProcessesThatSpeakInTurn) {
   Census census(kBegin_us);
   for (const std::int64_t at : {0, 1}) {
-    census.hear(word("locator", 10, 5, at), kBegin_us + at);
-    census.hear(word("locator", 11, 6, at), kBegin_us + at);
+    census.observe(word("locator", 10, 5, at), kBegin_us + at);
+    census.observe(word("locator", 11, 6, at), kBegin_us + at);
   }
   const Report report = census.report(kBegin_us + kSecond_us);
   ASSERT_EQ(report.services.size(), 2U);
@@ -164,19 +164,19 @@ TEST(Census, NamesTwoProcessesThatSpeakInTurn) {
 
 TEST(Census, AllowsARestartAndTheSameNameOfAnotherRobot) {
   Census census(kBegin_us);
-  census.hear(word("locator", 10, 5, 0), kBegin_us);
-  census.hear(word("locator", 11, 6, 1), kBegin_us + 1);
+  census.observe(word("locator", 10, 5, 0), kBegin_us);
+  census.observe(word("locator", 11, 6, 1), kBegin_us + 1);
   ServiceWord other = word("locator", 12, 7, 2);
   other.robot = "r2";
-  census.hear(other, kBegin_us + 2);
-  census.hear(word("locator", 11, 6, 3), kBegin_us + 3);
+  census.observe(other, kBegin_us + 2);
+  census.observe(word("locator", 11, 6, 3), kBegin_us + 3);
   for (const ServiceReport& service : census.report(kBegin_us + kSecond_us).services) EXPECT_FALSE(service.duplicate);
 }
 
 TEST(Census, TellsHowFarAnotherClockIsOffByTheQuickestMessage) {
   Census census(kBegin_us);
-  census.hear(word("locator", 10, 5, 1'000'000), kBegin_us + 400'000);  // sent 0.6 s ahead of our clock
-  census.hear(word("locator", 10, 5, 2'000'000), kBegin_us + 1'500'000);
+  census.observe(word("locator", 10, 5, 1'000'000), kBegin_us + 400'000);  // sent 0.6 s ahead of our clock
+  census.observe(word("locator", 10, 5, 2'000'000), kBegin_us + 1'500'000);
   const Report report = census.report(kBegin_us + 2 * kSecond_us);
   EXPECT_NEAR(report.services[0].clock_behind_s, -0.6, 1e-9);
   EXPECT_NEAR(report.services[0].silent_s, 0.5, 1e-9);
@@ -186,10 +186,10 @@ TEST(Census, TellsHowFarAnotherClockIsOffByTheQuickestMessage) {
 TEST(Census, BelievesTheProcessThatIsKnownOfTwoThatClaimOneSession) {
   for (const bool known_speaks_first : {true, false}) {
     Census census(kBegin_us);
-    census.know({"here", {{"locator", 10}}});
-    if (known_speaks_first) census.hear(word("locator", 10, 5, 0), kBegin_us);
-    for (const std::int64_t at : {1, 2, 3}) census.hear(word("liar", 99, 5, at), kBegin_us + at);
-    if (!known_speaks_first) census.hear(word("locator", 10, 5, 4), kBegin_us + 4);
+    census.observe({"here", {{"locator", 10}}});
+    if (known_speaks_first) census.observe(word("locator", 10, 5, 0), kBegin_us);
+    for (const std::int64_t at : {1, 2, 3}) census.observe(word("liar", 99, 5, at), kBegin_us + at);
+    if (!known_speaks_first) census.observe(word("locator", 10, 5, 4), kBegin_us + 4);
     hear_stream(census, "POSE", 3, 5);
     const Report report = census.report(kBegin_us + kSecond_us);
     EXPECT_EQ(report.channels.at(0).writers.at(0).service, "locator");
@@ -204,8 +204,8 @@ TEST(Census, KeepsABoundedNumberOfWritersAndOfChannelsThatServicesTellOf) {
   for (int i = 0; i < 1000; ++i) {
     ServiceWord talkative = word("x" + std::to_string(i), i, 1000 + i, 0);
     talkative.channels.resize(500);
-    census.hear(talkative, kBegin_us);
-    for (int session = 1; session <= 100; ++session) census.hear(message("C" + std::to_string(i), 0, session, 1));
+    census.observe(talkative, kBegin_us);
+    for (int session = 1; session <= 100; ++session) census.observe(message("C" + std::to_string(i), 0, session, 1));
   }
   const Report report = census.report(kBegin_us + kSecond_us);
   for (const ChannelReport& channel : report.channels) writers += channel.writers.size();
@@ -223,7 +223,7 @@ TEST(CensusText, KeepsControlCharactersOffTheTerminal) {
   Census census(kBegin_us);
   ServiceWord hostile = word("evil\x1b[2J", 1, 2, 0);
   hostile.reason = "a\nb";
-  census.hear(hostile, kBegin_us);
+  census.observe(hostile, kBegin_us);
   const std::string table = table_of(census.report(kBegin_us + kSecond_us));
   EXPECT_EQ(table.find('\x1b'), std::string::npos);
   EXPECT_NE(table.find("a?b"), std::string::npos);
@@ -231,7 +231,7 @@ TEST(CensusText, KeepsControlCharactersOffTheTerminal) {
 
 TEST(CensusText, GivesSessionsWithAllTheirBits) {
   Census census(kBegin_us);
-  census.hear(word("locator", 10, 0x7fffffffffffffff, 0), kBegin_us);
+  census.observe(word("locator", 10, 0x7fffffffffffffff, 0), kBegin_us);
   EXPECT_EQ(json_of(census.report(kBegin_us + kSecond_us))["services"][0]["session"], "0x7fffffffffffffff");
 }
 

@@ -106,6 +106,17 @@ TEST(CommandsAreWithinLimits, BreaksForALeap) {
   EXPECT_TRUE(commands_are_within_limits(forged.timeline(), forged_bars()).broken());
 }
 
+TEST(CommandsAreWithinLimits, AsksNoLeadOfACommandThatIsTooOldToBeObeyed) {
+  CommandWriter after_a_hang;
+  after_a_hang.age = 0.4;
+  ForgedHistory forged;
+  forged.still(0.0, 3.0).joint_commands(1.0, 2.5, 0.5, 1.0, after_a_hang);
+  EXPECT_FALSE(commands_are_within_limits(forged.timeline(), forged_bars()).broken());
+  ForgedHistory outside;
+  outside.still(0.0, 3.0).joint_commands(1.0, 2.5, 1.6, 1.0, after_a_hang);
+  EXPECT_TRUE(commands_are_within_limits(outside.timeline(), forged_bars()).broken());
+}
+
 TEST(CommandsAreWithinLimits, BreaksBeyondAJointsLimits) {
   ForgedHistory angle;
   angle.joint_commands(0.5, 2.5, 1.6, 1.0);

@@ -55,15 +55,27 @@ TEST(TasksEndWithTheReason, BreaksForATaskThatStands) {
   EXPECT_TRUE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
 }
 
-TEST(TasksEndWithTheReason, WaitsForATaskThatMoves) {
+// The arm goes on; `end`: s, of the world.
+ForgedHistory task_that_goes_on(double end) {
   ForgedHistory forged;
   forged.world(
-      0.0, 20.0, [](double t) { return 0.01 * t; }, [](double) { return 0.0; });
+      0.0, end, [](double t) { return 0.01 * t; }, [](double) { return 0.0; });
   forged.start(1.0)
       .task_state(2.0, TaskState::SERVO)
       .fault(5.0, 7.0, {"TARGET_POSE"})
       .task_state(8.0, TaskState::SERVO);
-  EXPECT_FALSE(tasks_end_with_the_reason(forged.timeline(), forged_bars()).broken());
+  return forged;
+}
+
+TEST(TasksEndWithTheReason, WaitsForATaskThatMoves) {
+  EXPECT_FALSE(tasks_end_with_the_reason(task_that_goes_on(20.0).timeline(), forged_bars()).broken());
+}
+
+TEST(TasksEndWithTheReason, WaitsByTheWorldsTimeAndNotForEver) {
+  ForgedHistory slow_machine = task_that_goes_on(20.0);
+  slow_machine.ended(60.0);
+  EXPECT_FALSE(tasks_end_with_the_reason(slow_machine.timeline(), forged_bars()).broken());
+  EXPECT_TRUE(tasks_end_with_the_reason(task_that_goes_on(49.0).timeline(), forged_bars()).broken());
 }
 
 TEST(TasksEndWithTheReason, AsksWhatStoppedATaskThatHadEnded) {

@@ -59,7 +59,8 @@ TYPED_TEST_SUITE(Fingerprint, AllTypes);
 
 TYPED_TEST(Fingerprint, IsTheOneThatLogsWereWrittenWith) {
   const auto known = kFingerprints.find(TypeParam::getTypeName());
-  ASSERT_NE(known, kFingerprints.end()) << "add " << TypeParam::getTypeName() << " to kFingerprints";
+  ASSERT_NE(known, kFingerprints.end()) << "add {\"" << TypeParam::getTypeName() << "\", 0x" << std::hex
+                                        << static_cast<std::uint64_t>(TypeParam::getHash()) << "} to kFingerprints";
   EXPECT_EQ(static_cast<std::uint64_t>(TypeParam::getHash()), known->second)
       << TypeParam::getTypeName() << ": 0x" << std::hex << static_cast<std::uint64_t>(TypeParam::getHash());
 }

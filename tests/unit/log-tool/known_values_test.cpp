@@ -5,10 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <markservo/BaseGoal.hpp>
+#include <markservo/BaseStatus.hpp>
 #include <markservo/JointState.hpp>
 #include <markservo/MarkDetection.hpp>
 #include <markservo/RfidTagHits.hpp>
 #include <markservo/RobotPose.hpp>
+#include <markservo/ServiceStatus.hpp>
+#include <markservo/ServoGoal.hpp>
+#include <markservo/ServoStatus.hpp>
 #include <markservo/TargetPose.hpp>
 #include <markservo/TaskCommand.hpp>
 #include <string>
@@ -50,6 +55,7 @@ TEST(KnownValues, HaveNoPositionOfAMarkThatIsNotLocated) {
   unseen.marks[1].status = LocatedMark::UNSEEN;
   TargetPose located = unseen;
   located.marks[1].status = LocatedMark::LOCATED;
+  located.marks[1].normal_C.y = -1.0;
   expect_known_only_then(
       unseen, located,
       {"marks[1].p_C.x", "marks[1].p_C.y", "marks[1].p_C.z", "marks[1].covariance.xx", "marks[1].covariance.xy",
@@ -89,7 +95,8 @@ TEST(KnownValues, HaveWhatFlagsSayIsKnownOnly) {
   RobotPose directed = measured;
   directed.paper.direction_known = 1;
   expect_known_only_then(nothing, measured,
-                         {"paper.measured_x", "paper.measured_y", "paper.compensated_x", "paper.compensated_y"});
+                         {"paper.utime", "paper.measured_x", "paper.measured_y", "paper.delay", "paper.compensated_x",
+                          "paper.compensated_y"});
   expect_known_only_then(measured, directed, {"paper.direction", "paper.speed"});
 
   TaskCommand stand{};
@@ -99,6 +106,57 @@ TEST(KnownValues, HaveWhatFlagsSayIsKnownOnly) {
   TaskCommand expected{};
   expected.expected_known = 1;
   expect_known_only_then(stand, expected, {"p_CT_expected.x", "p_CT_expected.y", "p_CT_expected.z"});
+}
+
+TEST(KnownValues, HaveWhatAGoalOfAnotherKindDoesNotSay) {
+  BaseGoal stand{};
+  BaseGoal drive{};
+  drive.kind = BaseGoal::DRIVE;
+  expect_known_only_then(stand, drive, {"pose.x", "pose.y", "pose.heading"});
+  ServoGoal hold{};
+  ServoGoal servo{};
+  servo.kind = ServoGoal::SERVO;
+  expect_known_only_then(hold, servo, {"p_TG_C.x", "p_TG_C.y", "p_TG_C.z", "tolerance"});
+}
+
+TEST(KnownValues, HaveNoZeroThatStandsForNothingMeasured) {
+  BaseStatus nowhere{};
+  BaseStatus at_the_pose{};
+  at_the_pose.heading_error = 0.1;
+  expect_known_only_then(nowhere, at_the_pose, {"distance", "heading_error"});
+
+  ServoStatus blind{};
+  ServoStatus there{};
+  there.covariance.xx = 1e-6;
+  expect_known_only_then(blind, there,
+                         {"error_C.x", "error_C.y", "error_C.z", "covariance.xx", "covariance.xy", "covariance.xz",
+                          "covariance.yy", "covariance.yz", "covariance.zz"});
+
+  TargetPose free_surface{};
+  free_surface.num_marks = 1;
+  free_surface.marks.resize(1);
+  TargetPose plane = free_surface;
+  plane.marks[0].normal_C.y = -1.0;
+  expect_known_only_then(free_surface, plane, {"marks[0].normal_C.x", "marks[0].normal_C.y", "marks[0].normal_C.z"});
+
+  MarkDetection without_patch{};
+  without_patch.num_marks = 1;
+  without_patch.marks.resize(1);
+  MarkDetection at_the_corner = without_patch;
+  at_the_corner.marks[0].left.patch.width = 4;
+  expect_known_only_then(
+      without_patch, at_the_corner,
+      {"marks[0].left.patch.x", "marks[0].left.patch.y", "marks[0].left.patch.width", "marks[0].left.patch.height"});
+}
+
+TEST(KnownValues, HaveNoAgeOfAChannelThatNobodyHeard) {
+  ServiceStatus deaf{};
+  deaf.num_channels = 1;
+  deaf.channels.resize(1);
+  deaf.channels[0].age = -1.0;
+  ServiceStatus hearing = deaf;
+  hearing.channels[0].age = 0.0;
+  expect_known_only_then(deaf, hearing, {"channels[0].age", "channels[0].latency_p50", "channels[0].latency_p99"});
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ inline std::vector<OwnedEvent> mixed_events(int count, std::mt19937& random) {
   for (int i = 0; i < count; ++i) {
     OwnedEvent event;
     event.number = i;
-    event.utime = 1'700'000'000'000'000 + 10'000 * i;
+    event.utime = 1'700'000'000'000'000 + std::int64_t{10'000} * i;
     if (i % 3 == 0) {
       event.channel = "TARGET_POSE";
       event.data = payload(target_pose(event.utime, 7, i / 3 + 1, 0.001 * i));

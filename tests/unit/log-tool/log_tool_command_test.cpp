@@ -146,6 +146,17 @@ TEST_F(LogTool, ReadsNoPipeAndDoesNotWaitForOne) {
   EXPECT_NE(result.output.find("is no regular file"), std::string::npos) << result.output;
 }
 
+TEST_F(LogTool, SpeaksInTheNameThatWasTyped) {
+  const auto typed = [](const std::string& name, const std::string& arguments) {
+    return test::run_command("bash -c \"exec -a '" + name + "' " MARKSERVO_BIN_DIR "/log-tool " + arguments + "\"");
+  };
+  EXPECT_EQ(typed("scripts/log", "info").output, "log: LOG is required; see scripts/log --help\n");
+  EXPECT_EQ(typed("markservo log", "info").output, "log: LOG is required; see markservo log --help\n");
+  EXPECT_EQ(run("info").output, "log-tool: LOG is required; see log-tool --help\n");
+  EXPECT_EQ(typed("markservo replay", "info /absent").output.rfind("replay: /absent: ", 0), 0U);
+  EXPECT_NE(typed("markservo log", "info --help").output.find("Usage: markservo log info "), std::string::npos);
+}
+
 TEST_F(LogTool, ShowsWhatIsLeftOfALogWithADamagedNameAndFingerprint) {
   events_[1].channel = "OTH\xff\x1b]0;";
   events_[0].data[3] = '\x55';

@@ -54,10 +54,10 @@ class LearnCommand : public ::testing::Test {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   }
 
-  // `arguments` as a shell reads them, run in the folder.
-  Answer run(const std::string& arguments) const {
+  // `arguments` as a shell reads them, run in the folder; `errors`: where standard error goes.
+  Answer run(const std::string& arguments, const std::string& errors = "&1") const {
     const std::string command = "cd '" + folder_.string() + "' && '" + MARKSERVO_BIN_DIR +
-                                "/mark-detector' --robot-file robot.yaml " + arguments + " 2>&1";
+                                "/mark-detector' --robot-file robot.yaml " + arguments + " 2>" + errors;
     Answer answer;
     FILE* pipe = ::popen(command.c_str(), "r");
     if (pipe == nullptr) return answer;
@@ -72,9 +72,9 @@ class LearnCommand : public ::testing::Test {
 
   // Where the red book's mark is found in a picture; NaN if it is not.
   double found_u(const std::string& picture) const {
-    const auto json = nlohmann::json::parse(run("--image " + picture).text);
+    const auto json = nlohmann::json::parse(run("--image " + picture, "/dev/null").text);
     for (const auto& mark : json["marks"]) {
-      if (mark["name"] == "red_book" && mark["reason"] == "") return mark["left"]["u"];
+      if (mark["name"] == "red_book" && mark["reason"].get<std::string>().empty()) return mark["left"]["u"];
     }
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -24,83 +24,83 @@ OfferedCommand command(std::int64_t seq, double age = 0.0, std::int64_t session 
 class Gate : public testing::Test {
  protected:
   Gate() { gate_.release(kNow - 1'000'000); }
-  CommandVerdict offer(const OfferedCommand& one, std::int64_t now = kNow) { return gate_.offer(one, now, false); }
+  CommandVerdict hear(const OfferedCommand& one, std::int64_t now = kNow) { return gate_.hear(one, now, false); }
 
   CommandGate gate_{"JOINT_COMMAND", kMover};
 };
 
 TEST_F(Gate, ObeysGrowingNumbersOnce) {
-  EXPECT_EQ(offer(command(3, 0.1)), CommandVerdict::kObeyed);
-  EXPECT_EQ(offer(command(3, 0.1)), CommandVerdict::kOutOfOrder);
-  EXPECT_EQ(offer(command(2, 0.2)), CommandVerdict::kOutOfOrder);
-  EXPECT_EQ(offer(command(4, 0.0)), CommandVerdict::kObeyed);
+  EXPECT_EQ(hear(command(3, 0.1)), CommandVerdict::kObeyed);
+  EXPECT_EQ(hear(command(3, 0.1)), CommandVerdict::kOutOfOrder);
+  EXPECT_EQ(hear(command(2, 0.2)), CommandVerdict::kOutOfOrder);
+  EXPECT_EQ(hear(command(4, 0.0)), CommandVerdict::kObeyed);
 }
 
 TEST_F(Gate, ObeysNothingWhileLatched) {
-  EXPECT_EQ(gate_.offer(command(1), kNow, true), CommandVerdict::kLatched);
+  EXPECT_EQ(gate_.hear(command(1), kNow, true), CommandVerdict::kLatched);
 }
 
 TEST_F(Gate, ObeysOnlyWhatWasMadeForThisMover) {
-  EXPECT_EQ(offer({{5, 1, kNow}, kMover + 1}), CommandVerdict::kOtherMover);
-  EXPECT_EQ(offer({{5, 1, kNow}, 0}), CommandVerdict::kOtherMover);
+  EXPECT_EQ(hear({{5, 1, kNow}, kMover + 1}), CommandVerdict::kOtherMover);
+  EXPECT_EQ(hear({{5, 1, kNow}, 0}), CommandVerdict::kOtherMover);
 }
 
 TEST_F(Gate, ObeysOnlyAnswersToWhatWasMeasuredAfterTheReset) {
   gate_.release(kNow - 100'000);
-  EXPECT_EQ(offer(command(1, 0.1)), CommandVerdict::kBeforeReset);
-  EXPECT_EQ(offer(command(2, 0.09)), CommandVerdict::kObeyed);
+  EXPECT_EQ(hear(command(1, 0.1)), CommandVerdict::kBeforeReset);
+  EXPECT_EQ(hear(command(2, 0.09)), CommandVerdict::kObeyed);
 }
 
 TEST_F(Gate, ObeysNoAnswerToWhatIsOlderThanThreeTenthsOfASecondOrStillToCome) {
-  EXPECT_EQ(offer(command(1, 0.300001)), CommandVerdict::kStale);
-  EXPECT_EQ(offer(command(1, -0.020001)), CommandVerdict::kAhead);
-  EXPECT_EQ(offer(command(1, 0.3)), CommandVerdict::kObeyed);
+  EXPECT_EQ(hear(command(1, 0.300001)), CommandVerdict::kStale);
+  EXPECT_EQ(hear(command(1, -0.020001)), CommandVerdict::kAhead);
+  EXPECT_EQ(hear(command(1, 0.3)), CommandVerdict::kObeyed);
 }
 
 TEST_F(Gate, IsSilentThreeTenthsOfASecondAfterTheLastObeyedCommand) {
   EXPECT_TRUE(gate_.silent(kNow)) << "there was none yet";
-  offer(command(1));
+  hear(command(1));
   EXPECT_FALSE(gate_.silent(kNow + 300'000));
   EXPECT_TRUE(gate_.silent(kNow + 300'001));
 }
 
 TEST_F(Gate, AResetForgetsTheCommandsBefore) {
-  offer(command(1));
+  hear(command(1));
   gate_.release(kNow);
   EXPECT_TRUE(gate_.silent(kNow));
 }
 
 TEST_F(Gate, ARestartedWriterIsObeyedOnceTheFormerHasBeenSilent) {
-  offer(command(100, 0.0, 5));
-  EXPECT_EQ(gate_.offer({{6, 1, kNow + 200'000}, kMover}, kNow + 200'000, false), CommandVerdict::kWaits);
-  EXPECT_EQ(gate_.offer({{6, 2, kNow + 310'000}, kMover}, kNow + 310'000, false), CommandVerdict::kObeyed);
+  hear(command(100, 0.0, 5));
+  EXPECT_EQ(gate_.hear({{6, 1, kNow + 200'000}, kMover}, kNow + 200'000, false), CommandVerdict::kWaits);
+  EXPECT_EQ(gate_.hear({{6, 2, kNow + 310'000}, kMover}, kNow + 310'000, false), CommandVerdict::kObeyed);
 }
 
 TEST_F(Gate, TwoWritersStopTheMoverUntilOneHasBeenSilentForASecond) {
-  offer(command(1, 0.1, 5));
-  EXPECT_EQ(offer(command(1, 0.05, 6)), CommandVerdict::kWaits);
-  EXPECT_EQ(offer(command(2, 0.0, 5)), CommandVerdict::kTwoWriters);
+  hear(command(1, 0.1, 5));
+  EXPECT_EQ(hear(command(1, 0.05, 6)), CommandVerdict::kWaits);
+  EXPECT_EQ(hear(command(2, 0.0, 5)), CommandVerdict::kTwoWriters);
   EXPECT_EQ(gate_.obstacle(kNow + 900'000),
             "two write JOINT_COMMAND: sessions 5 and 6; released only when one has been silent for 1 s");
   EXPECT_EQ(gate_.obstacle(kNow + 1'100'000), "");
   gate_.release(kNow + 1'100'000);
-  EXPECT_EQ(gate_.offer({{5, 3, kNow + 1'110'000}, kMover}, kNow + 1'120'000, false), CommandVerdict::kObeyed);
+  EXPECT_EQ(gate_.hear({{5, 3, kNow + 1'110'000}, kMover}, kNow + 1'120'000, false), CommandVerdict::kObeyed);
 }
 
 TEST_F(Gate, ObeysNothingThatLeadsTheShaftsOrJumpsAwayFromTheCommandBeforeIt) {
   OfferedCommand leads = command(1, 0.2);
   leads.leads = true;
-  EXPECT_EQ(offer(leads), CommandVerdict::kLeads);
+  EXPECT_EQ(hear(leads), CommandVerdict::kLeads);
   OfferedCommand jumps = command(2, 0.1);
   jumps.jumps = true;
-  EXPECT_EQ(offer(jumps), CommandVerdict::kJumps);
-  EXPECT_EQ(offer(command(3, 0.0)), CommandVerdict::kObeyed);
+  EXPECT_EQ(hear(jumps), CommandVerdict::kJumps);
+  EXPECT_EQ(hear(command(3, 0.0)), CommandVerdict::kObeyed);
 }
 
 TEST_F(Gate, AnOldRecordingIsNoWriter) {
-  offer(command(1, 0.1, 5));
-  EXPECT_EQ(offer(command(1, 2280.0, 6)), CommandVerdict::kStale);
-  EXPECT_EQ(offer(command(2, 0.0, 5)), CommandVerdict::kObeyed);
+  hear(command(1, 0.1, 5));
+  EXPECT_EQ(hear(command(1, 2280.0, 6)), CommandVerdict::kStale);
+  EXPECT_EQ(hear(command(2, 0.0, 5)), CommandVerdict::kObeyed);
 }
 
 TEST(CommandLead, AllowsThreeTenthsOfASecondAtTheCommandsSpeedAndATenthOfARadian) {

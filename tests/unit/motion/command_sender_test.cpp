@@ -8,20 +8,20 @@ namespace {
 TEST(CommandSender, AResetCarriesTheNewestStopStatesTimeOnceAllDevicesAreHeard) {
   CommandSender sender({"arm", "base"});
   EXPECT_FALSE(sender.stamp(CommandKind::kReset));
-  sender.hear_stop_state("arm", 1000);
+  sender.observe_stop_state("arm", 1000);
   EXPECT_FALSE(sender.stamp(CommandKind::kReset));
   EXPECT_EQ(sender.silent_devices(), std::vector<std::string>{"base"});
-  sender.hear_stop_state("base", 1010);
+  sender.observe_stop_state("base", 1010);
   EXPECT_EQ(sender.stamp(CommandKind::kReset), 1010);
-  sender.hear_stop_state("arm", 1200);
+  sender.observe_stop_state("arm", 1200);
   EXPECT_EQ(sender.stamp(CommandKind::kReset), 1200) << "each repeat is stamped anew";
 }
 
 TEST(CommandSender, StartAndHomeCarryTheTasksTime) {
   CommandSender sender({"arm"});
-  sender.hear_stop_state("arm", 1000);
+  sender.observe_stop_state("arm", 1000);
   EXPECT_FALSE(sender.stamp(CommandKind::kStart));
-  sender.hear_task_state(900);
+  sender.observe_task_state(900);
   EXPECT_EQ(sender.stamp(CommandKind::kStart), 900);
   EXPECT_EQ(sender.stamp(CommandKind::kHome), 900);
 }

@@ -39,7 +39,7 @@ class Watched : public testing::Test {
 
 TEST_F(Watched, OneArmIsNoConflict) {
   run(500);
-  EXPECT_EQ(watch_.blocked(), "");
+  EXPECT_EQ(watch_.conflict(), "");
   EXPECT_EQ(watch_.stranger(), "");
   EXPECT_EQ(watch_.latched(), false);
 }
@@ -47,17 +47,17 @@ TEST_F(Watched, OneArmIsNoConflict) {
 TEST_F(Watched, ASecondArmBlocksAllUntilAResetFindsOneAlone) {
   run(200);
   run(300, true);
-  EXPECT_EQ(watch_.blocked(), "two write JOINT_STATE of arm: sessions 22 and 11");
+  EXPECT_EQ(watch_.conflict(), "two write JOINT_STATE of arm: sessions 22 and 11");
   EXPECT_TRUE(arm_.latched);
   arm_.latched = other_.latched = false;  // a reset releases both
   run(400, true);
-  EXPECT_NE(watch_.blocked(), "");
+  EXPECT_NE(watch_.conflict(), "");
   EXPECT_TRUE(arm_.latched) << "stopped again";
   run(600);
-  EXPECT_NE(watch_.blocked(), "") << "it never resumes by itself";
+  EXPECT_NE(watch_.conflict(), "") << "it never resumes by itself";
   arm_.latched = false;
   run(650);
-  EXPECT_EQ(watch_.blocked(), "");
+  EXPECT_EQ(watch_.conflict(), "");
   EXPECT_EQ(watch_.session(), 11);
 }
 
@@ -66,35 +66,35 @@ TEST_F(Watched, ARestartedArmIsNoConflict) {
   std::swap(arm_, other_);
   tick_ = 260;
   run(400);
-  EXPECT_EQ(watch_.blocked(), "");
+  EXPECT_EQ(watch_.conflict(), "");
   EXPECT_EQ(watch_.session(), 22);
   EXPECT_EQ(watch_.latched(), true);
 }
 
 TEST_F(Watched, AStrangersReportsAreNamedForASecond) {
   run(200);
-  EXPECT_EQ(watch_.hear_report("JOINT_STATE", {33, 1, kStart}), Word::kForeign);
+  EXPECT_EQ(watch_.hear_report("JOINT_STATE", {33, 1, kStart}), ReportHeard::kForeign);
   EXPECT_EQ(watch_.stranger(), "another writes for the arm: session 33 is not heard, 11 is");
   run(320);
   EXPECT_EQ(watch_.stranger(), "");
-  EXPECT_EQ(watch_.blocked(), "");
+  EXPECT_EQ(watch_.conflict(), "");
 }
 
 TEST_F(Watched, AnOldRecordingIsNoSecondWriter) {
   run(200);
   const std::int64_t now = watch_.now();
   watch_.hear_stream("TARGET_POSE", {5, 1, now});
-  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {6, 1, now - 216'000'000}), Heard::kLate);
-  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 2, now + 1}), Heard::kTaken);
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {6, 1, now - 216'000'000}), StreamHeard::kLate);
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 2, now + 1}), StreamHeard::kTaken);
 }
 
 TEST_F(Watched, TwoPictureWritersBlockToo) {
   run(200);
   const std::int64_t now = watch_.now();
-  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 1, now}), Heard::kTaken);
-  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {6, 1, now + 1}), Heard::kWaits);
-  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 2, now + 2}), Heard::kSecond);
-  EXPECT_EQ(watch_.blocked(), "two write TARGET_POSE: sessions 5 and 6");
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 1, now}), StreamHeard::kTaken);
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {6, 1, now + 1}), StreamHeard::kWaits);
+  EXPECT_EQ(watch_.hear_stream("TARGET_POSE", {5, 2, now + 2}), StreamHeard::kSecond);
+  EXPECT_EQ(watch_.conflict(), "two write TARGET_POSE: sessions 5 and 6");
 }
 
 }  // namespace

@@ -1,16 +1,26 @@
 #include "services/recorder/logger/logger_arguments.hpp"
 
 #include <gtest/gtest.h>
+#include <lcm/lcm.h>
 
 #include <algorithm>
-#include <regex>
+#include <cstdint>
+#include <memory>
 
 namespace markservo::recorder {
 namespace {
 
-// As lcm-logger takes it: of the whole name.
+// As liblcm takes it, whose subscriptions lcm-logger's are.
 bool takes(const std::string& expression, const std::string& channel) {
-  return std::regex_match(channel, std::regex(expression));
+  const std::unique_ptr<lcm_t, decltype(&lcm_destroy)> lcm(lcm_create("memq://"), &lcm_destroy);
+  bool heard = false;
+  const auto handler = [](const lcm_recv_buf_t* /*message*/, const char* /*channel*/, void* user) {
+    *static_cast<bool*>(user) = true;
+  };
+  lcm_subscribe(lcm.get(), expression.c_str(), handler, &heard);
+  lcm_publish(lcm.get(), channel.c_str(), "", 0);
+  lcm_handle_timeout(lcm.get(), 0);
+  return heard;
 }
 
 TEST(ReceiveBuffer, IsAskedForWhereTheUrlDoesNot) {
@@ -59,7 +69,7 @@ TEST(ChannelExpression, LeavesFramesOut) {
 }
 
 TEST(UnwrittenMegabytes, AreAQuarterOfTheMemoryWithinLimits) {
-  EXPECT_EQ(unwritten_megabytes(4096 * 700), 700);
+  EXPECT_EQ(unwritten_megabytes(std::int64_t{4096} * 700), 700);
   EXPECT_EQ(unwritten_megabytes(0), 100);
   EXPECT_EQ(unwritten_megabytes(std::int64_t{4096} * 1'000'000), 1000);
 }
@@ -67,11 +77,11 @@ TEST(UnwrittenMegabytes, AreAQuarterOfTheMemoryWithinLimits) {
 TEST(LoggerArguments, SplitOnlyWhereAskedTo) {
   RecordingPlan plan;
   plan.lcm_url = "udpm://?ttl=0";
-  std::vector<std::string> arguments = logger_arguments(plan, 4096 * 700, "/logs/a b/log.lcm");
+  std::vector<std::string> arguments = logger_arguments(plan, std::int64_t{4096} * 700, "/logs/a b/log.lcm");
   EXPECT_EQ(arguments, (std::vector<std::string>{"--lcm-url=udpm://?ttl=0", "--channel=.*", "--max-unwritten-mb=700",
                                                  "--flush-interval=250", "/logs/a b/log.lcm"}));
   plan.split_mb = 500;
-  arguments = logger_arguments(plan, 4096 * 700, "/logs/a b/log.lcm");
+  arguments = logger_arguments(plan, std::int64_t{4096} * 700, "/logs/a b/log.lcm");
   EXPECT_EQ(std::count(arguments.begin(), arguments.end(), "-i"), 1);
   EXPECT_EQ(std::count(arguments.begin(), arguments.end(), "--split-mb=500"), 1);
   EXPECT_EQ(arguments.back(), "/logs/a b/log.lcm");

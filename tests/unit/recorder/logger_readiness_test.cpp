@@ -13,45 +13,45 @@ const LoggerSight kNotYet;
 const LoggerSight kTwoThreads{true, 2, false};
 const LoggerSight kThreeThreads{true, 3, false};
 
-State look(LoggerReadiness* readiness, const LoggerSight& sight, std::int64_t after_ms) {
-  return readiness->look(sight, kStart_us + after_ms * kMillisecond_us);
+State observe(LoggerReadiness* readiness, const LoggerSight& sight, std::int64_t after_ms) {
+  return readiness->observe(sight, kStart_us + after_ms * kMillisecond_us);
 }
 
 TEST(LoggerReadiness, IsReachedWhenTheThreadThatReceivesIsThereAndTheTestOfTheBusIsOver) {
   LoggerReadiness readiness(false, kStart_us);
-  EXPECT_EQ(look(&readiness, kNotYet, 0), State::kStarting);
-  EXPECT_EQ(look(&readiness, kTwoThreads, 50), State::kStarting);
-  EXPECT_EQ(look(&readiness, kThreeThreads, 100), State::kTesting);
-  EXPECT_EQ(look(&readiness, kThreeThreads, 299), State::kTesting);
-  EXPECT_EQ(look(&readiness, kThreeThreads, 300), State::kListens);
+  EXPECT_EQ(observe(&readiness, kNotYet, 0), State::kStarting);
+  EXPECT_EQ(observe(&readiness, kTwoThreads, 50), State::kStarting);
+  EXPECT_EQ(observe(&readiness, kThreeThreads, 100), State::kTesting);
+  EXPECT_EQ(observe(&readiness, kThreeThreads, 299), State::kTesting);
+  EXPECT_EQ(observe(&readiness, kThreeThreads, 300), State::kListens);
 }
 
 TEST(LoggerReadiness, IsNotReachedWhereTheTestFails) {
   LoggerReadiness readiness(false, kStart_us);
-  EXPECT_EQ(look(&readiness, kThreeThreads, 100), State::kTesting);
-  EXPECT_EQ(look(&readiness, {true, 3, true}, 300), State::kFailed);
+  EXPECT_EQ(observe(&readiness, kThreeThreads, 100), State::kTesting);
+  EXPECT_EQ(observe(&readiness, {true, 3, true}, 300), State::kFailed);
 }
 
 TEST(LoggerReadiness, FailsAtOnceWhereItEnds) {
   LoggerReadiness starting(false, kStart_us);
-  EXPECT_EQ(look(&starting, {false, std::nullopt, false}, 50), State::kFailed);
+  EXPECT_EQ(observe(&starting, {false, std::nullopt, false}, 50), State::kFailed);
   LoggerReadiness testing(false, kStart_us);
-  EXPECT_EQ(look(&testing, kThreeThreads, 50), State::kTesting);
-  EXPECT_EQ(look(&testing, {false, 0, false}, 100), State::kFailed);
+  EXPECT_EQ(observe(&testing, kThreeThreads, 50), State::kTesting);
+  EXPECT_EQ(observe(&testing, {false, 0, false}, 100), State::kFailed);
 }
 
 TEST(LoggerReadiness, ComesWithoutThatThreadOverTcp) {
   LoggerReadiness readiness(true, kStart_us);
-  EXPECT_EQ(look(&readiness, kTwoThreads, 999), State::kStarting);
-  EXPECT_EQ(look(&readiness, kTwoThreads, 1000), State::kTesting);
-  EXPECT_EQ(look(&readiness, kTwoThreads, 1200), State::kListens);
+  EXPECT_EQ(observe(&readiness, kTwoThreads, 999), State::kStarting);
+  EXPECT_EQ(observe(&readiness, kTwoThreads, 1000), State::kTesting);
+  EXPECT_EQ(observe(&readiness, kTwoThreads, 1200), State::kListens);
 }
 
 TEST(LoggerReadiness, DoesNotWaitForeverForAThreadThatMayNeverCome) {
   LoggerReadiness readiness(false, kStart_us);
-  EXPECT_EQ(look(&readiness, kTwoThreads, 9'999), State::kStarting);
-  EXPECT_EQ(look(&readiness, kTwoThreads, 10'000), State::kTesting);
-  EXPECT_EQ(look(&readiness, kTwoThreads, 10'200), State::kListens);
+  EXPECT_EQ(observe(&readiness, kTwoThreads, 9'999), State::kStarting);
+  EXPECT_EQ(observe(&readiness, kTwoThreads, 10'000), State::kTesting);
+  EXPECT_EQ(observe(&readiness, kTwoThreads, 10'200), State::kListens);
 }
 
 }  // namespace

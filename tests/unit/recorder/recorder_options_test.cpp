@@ -88,12 +88,5 @@ TEST_F(Options, ThatAreNoneAreNamed) {
   EXPECT_EQ(objection({"--for"}), "--for needs a value");
 }
 
-TEST(CommandNames, AreThoseThatWereTyped) {
-  EXPECT_EQ(command_names("markservo record").record, "markservo record");
-  EXPECT_EQ(command_names("markservo record").log, "markservo log");
-  EXPECT_EQ(command_names("build/release/bin/recorder").record, "scripts/record");
-  EXPECT_EQ(command_names("").log, "scripts/log");
-}
-
 }  // namespace
 }  // namespace markservo::recorder

@@ -44,6 +44,7 @@ TEST(RecordingFolder, LeavesNothingBehindWhereNothingWasRecorded) {
   scratch.write("made/log.lcm", "");
   EXPECT_TRUE(folder.reserve());
   EXPECT_TRUE(write_manifest(folder.path(), Json{{"a", 1}}));
+  remove_manifest(folder.path());
   folder.undo();
   EXPECT_FALSE(scratch.has("made"));
 }

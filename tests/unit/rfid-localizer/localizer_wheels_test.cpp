@@ -63,7 +63,7 @@ TEST(LocalizerWheels, WorseThanStatedAreToldAndBelievedLess) {
     EXPECT_NEAR(wheels.drift.fits / kDegree, 8.0, 0.4 * 8.0) << seed;
     EXPECT_NEAR(wheels.pivot_wander.fits, 0.02, 0.4 * 0.02) << seed;
     nees += mean_nees(drive.since(120.0)) / kSeeds;
-    settings.localizer.judge_wheels = false;
+    settings.localizer.judge.reset();
     Drive unjudged(settings);
     legs(unjudged, 40);
     unjudged_nees += mean_nees(unjudged.since(120.0)) / kSeeds;
@@ -77,7 +77,7 @@ TEST(LocalizerWheels, AsStatedAreBelievedAsBefore) {
   for (int seed = 1; seed <= 3; ++seed) {
     DriveSettings settings = in_the_hall(seed, 2.0, 0.0);
     Drive drive(settings);
-    settings.localizer.judge_wheels = false;
+    settings.localizer.judge.reset();
     Drive before(settings);
     for (Drive* one : {&drive, &before}) legs(*one, 15);
     EXPECT_FALSE(drive.localizer().wheel_judgement().drift.too_small) << seed;

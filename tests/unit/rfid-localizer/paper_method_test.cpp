@@ -113,7 +113,7 @@ TEST(PaperMethod, FollowsABendByItsRecentAveragesOnly) {
 TEST(PaperMethod, BeginsAnewWhenRestarted) {
   PaperMethod method{PaperParameters{}};
   for (int k = 0; k < 10; ++k) method.observe(k * kRound, {along(0.0, 0.04 * k)}, 0.4);
-  method.restart();
+  method.forget();
   EXPECT_FALSE(method.observe(0, {{0.4, 0.0}}, 0.4)->direction);
 }
 

@@ -35,7 +35,7 @@ MobileBaseOutputs next_odometry(Simulation& simulation) {
     if (due.scan) all.scan = std::move(due.scan);
     all.odometry = due.odometry;
   }
-  simulation.told_odometry();
+  simulation.observe_odometry();
   return all;
 }
 

@@ -40,7 +40,7 @@ TEST(Exposures, ARestartCountsFromOneAgain) {
   Exposures exposures(kRate_hz, 0);
   exposures.expose(0, 1);
   exposures.expose(kPeriod, 2);
-  exposures.restart(kRate_hz, 500);
+  exposures.begin_anew(kRate_hz, 500);
   EXPECT_EQ(exposures.number(), 0);
   EXPECT_TRUE(exposures.due(500));
   exposures.expose(500, 3);

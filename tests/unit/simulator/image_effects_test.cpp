@@ -71,9 +71,9 @@ TEST(ImageEffects, NoiseClipsAtBlackAndWhite) {
 }
 
 TEST(ImageEffects, EverySideOfEveryFrameHasItsOwnNoise) {
-  EXPECT_NE(noise_seed(1, 1, 0), noise_seed(1, 1, 1));
-  EXPECT_NE(noise_seed(1, 1, 0), noise_seed(1, 2, 0));
-  EXPECT_NE(noise_seed(1, 1, 0), noise_seed(2, 1, 0));
+  EXPECT_NE(noise_seeds(1, 1).left, noise_seeds(1, 1).right);
+  EXPECT_NE(noise_seeds(1, 1).left, noise_seeds(1, 2).left);
+  EXPECT_NE(noise_seeds(1, 1).left, noise_seeds(2, 1).left);
 }
 
 TEST(ImageEffects, GainsScaleTheirOwnChannel) {

@@ -11,24 +11,24 @@ TEST(LockstepBarrier, WaitsForEveryChannel) {
   LockstepBarrier barrier({"JOINT_COMMAND", "TASK_STATE"});
   barrier.expect(7, 1);
   EXPECT_EQ(barrier.missing(), "JOINT_COMMAND, TASK_STATE");
-  barrier.note("TASK_STATE", 7, 1);
+  barrier.observe("TASK_STATE", 7, 1);
   EXPECT_EQ(barrier.missing(), "JOINT_COMMAND");
-  barrier.note("JOINT_COMMAND", 7, 1);
+  barrier.observe("JOINT_COMMAND", 7, 1);
   EXPECT_TRUE(barrier.complete());
 }
 
 TEST(LockstepBarrier, CountsAnswersToTheExpectedFrameOnly) {
   LockstepBarrier barrier({"JOINT_COMMAND"});
   barrier.expect(7, 2);
-  barrier.note("JOINT_COMMAND", 7, 1);
-  barrier.note("JOINT_COMMAND", 8, 2);
+  barrier.observe("JOINT_COMMAND", 7, 1);
+  barrier.observe("JOINT_COMMAND", 8, 2);
   EXPECT_FALSE(barrier.complete());
 }
 
 TEST(LockstepBarrier, EveryFrameIsAnsweredAnew) {
   LockstepBarrier barrier({"JOINT_COMMAND"});
   barrier.expect(7, 1);
-  barrier.note("JOINT_COMMAND", 7, 1);
+  barrier.observe("JOINT_COMMAND", 7, 1);
   barrier.expect(7, 2);
   EXPECT_FALSE(barrier.complete());
 }
@@ -37,8 +37,8 @@ TEST(LockstepBarrier, AnAnswerToAnySendingOfAnExposureCounts) {
   LockstepBarrier barrier({"JOINT_COMMAND", "TASK_STATE"});
   barrier.expect(7, 2);
   barrier.expect_also(3);
-  barrier.note("JOINT_COMMAND", 7, 2);
-  barrier.note("TASK_STATE", 7, 3);
+  barrier.observe("JOINT_COMMAND", 7, 2);
+  barrier.observe("TASK_STATE", 7, 3);
   EXPECT_TRUE(barrier.complete());
 }
 

@@ -59,7 +59,7 @@ Errors compare(World& world) {
   const robot::RobotDescription robot = test_robot();
   const auto& camera = robot.cameras.stereo;
   const WorldTruth truth = world.truth();
-  const ImagePair images = renderer().render(world);
+  const ImagePair images = renderer().render(world.physics());
   Errors errors;
   for (const auto& mark : truth.marks) {
     const auto expected = geometry::project(camera, mark.p_CM);
@@ -133,10 +133,10 @@ TEST(Rendering, FromElsewhereMarksAreDrawnWhereTheTruthProjects) {
 TEST(Rendering, TheArmAtHomeIsOutOfView) {
   World near_shelf = test_world(test_settings());
   near_shelf.truth();
-  const ImagePair home = renderer().render(near_shelf);
+  const ImagePair home = renderer().render(near_shelf.physics());
   World turned = test_world(test_settings({{"arm.start_yaw_deg", 80.0}}));
   turned.truth();
-  const ImagePair away = renderer().render(turned);
+  const ImagePair away = renderer().render(turned.physics());
   EXPECT_EQ(cv::norm(home.left, away.left, cv::NORM_INF), 0.0);
   EXPECT_EQ(cv::norm(home.right, away.right, cv::NORM_INF), 0.0);
 }
@@ -145,7 +145,7 @@ TEST(Rendering, TheSameSeedGivesTheSamePicture) {
   const auto picture = [](std::uint64_t seed) {
     World world = test_world(test_settings(), seed);
     world.truth();
-    return renderer().render(world).left;
+    return renderer().render(world.physics()).left;
   };
   EXPECT_EQ(cv::norm(picture(1), picture(1), cv::NORM_INF), 0.0);
   EXPECT_GT(cv::norm(picture(1), picture(2), cv::NORM_INF), 0.0) << "the light varies";

@@ -18,7 +18,7 @@ ServoParameters ideal() {
 }
 
 void wait(ServoModel& servo, const ServoParameters& parameters, double seconds) {
-  for (double t = 0.0; t < seconds; t += kStep_s) servo.advance(parameters, kStep_s);
+  for (double t = 0.0; t < seconds; t += kStep_s) servo.step(parameters, kStep_s);
 }
 
 TEST(ServoModel, AnIdealServoArrivesExactlyAndStops) {
@@ -58,7 +58,7 @@ TEST(ServoModel, GathersSpeedAndBrakesNoHarderThanItsMotorCan) {
     for (int step = 0; step < 1000; ++step) {
       if (step == 0) servo.command(0.3, 100.0);
       if (step == 500) servo.command(0.2, 0.5);
-      servo.advance(parameters, kStep_s);
+      servo.step(parameters, kStep_s);
       EXPECT_LE(std::abs(servo.shaft_speed() - speed), most) << "in step " << step;
       speed = servo.shaft_speed();
       highest = std::max(highest, servo.shaft());

@@ -139,6 +139,22 @@ TEST(Simulation, ACommandThatJumpsAwayFromTheOneBeforeItIsNotObeyedUntilTheArmSt
   EXPECT_EQ(tell(5, 0.15).verdict, CommandVerdict::kObeyed) << "0.3 s without a command: it stands";
 }
 
+TEST(Simulation, AfterAResetACommandMayBeginAnywhereNearTheShaftsAlthoughNothingWasLatched) {
+  Simulation simulation = test_simulation(Timing::kRealTime);
+  release(simulation);
+  simulation.expose(1);
+  const auto tell = [&](std::int64_t seq, double elbow) {
+    const robot::JointVector q = test_robot().arm->home + robot::JointVector(0.0, 0.0, elbow);
+    return simulation.command({{kWriter, seq, simulation.utime()}, kSession}, 1, posture(q, 0.05, 0.2)).verdict;
+  };
+  simulation.step();
+  ASSERT_EQ(tell(1, 0.0), CommandVerdict::kObeyed);
+  simulation.step();
+  ASSERT_EQ(tell(2, 0.15), CommandVerdict::kJumps);
+  release(simulation);
+  EXPECT_EQ(tell(3, 0.15), CommandVerdict::kObeyed);
+}
+
 TEST(Simulation, TwoWritersOfCommandsLatchUntilOneIsAlone) {
   Simulation simulation = test_simulation();
   release(simulation);
@@ -160,7 +176,7 @@ TEST(Simulation, TwoWritersOfCommandsLatchUntilOneIsAlone) {
 
 TEST(Simulation, AnOldResetReleasesNothing) {
   Simulation simulation = test_simulation(Timing::kRealTime);
-  EXPECT_EQ(simulation.request({{1, 1, simulation.utime() - 2'280'000'000}, true, "a recording"}),
+  EXPECT_EQ(simulation.hear_stop({{1, 1, simulation.utime() - 2'280'000'000}, true, "a recording"}),
             motion::StopHeard::kStale);
   EXPECT_TRUE(simulation.latch().latched());
 }
@@ -243,9 +259,9 @@ TEST(Simulation, FramesAreDroppedAtTheGivenRateTheSameInEveryRun) {
 TEST(Simulation, ARepeatedExposureIsTheSameFrame) {
   Simulation simulation = test_simulation();
   simulation.expose(1);
-  const std::uint64_t seed = simulation.noise_seed_of(0);
+  const std::uint64_t seed = simulation.noise().left;
   simulation.expose(2);
-  EXPECT_EQ(simulation.noise_seed_of(0), seed);
+  EXPECT_EQ(simulation.noise().left, seed);
   EXPECT_FALSE(simulation.frame_due());
 }
 

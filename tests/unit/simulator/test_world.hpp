@@ -39,7 +39,7 @@ inline World test_world(const Settings& settings, std::uint64_t seed = 1) {
 // A person's STOP or its reset, each one new.
 inline void ask(Simulation& simulation, bool reset) {
   static std::int64_t id = 0;
-  simulation.request({{1, ++id, simulation.utime()}, reset, "test"});
+  simulation.hear_stop({{1, ++id, simulation.utime()}, reset, "test"});
 }
 inline void release(Simulation& simulation) {
   ask(simulation, true);

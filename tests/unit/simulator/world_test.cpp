@@ -4,12 +4,13 @@
 
 #include <cmath>
 
+#include "common/geometry/degrees.hpp"
 #include "tests/unit/simulator/test_world.hpp"
 
 namespace markservo::simulator {
 namespace {
 
-constexpr double kRadiansPerDegree = 0.017453292519943295;
+using geometry::kRadiansPerDegree;
 
 TEST(World, BooksStandWhereTheSettingsSay) {
   World world = test_world(test_settings({{"books.x", 0.05}, {"books.y", 0.30}}));

@@ -1,4 +1,4 @@
-#include "services/stack-watch/command_line.hpp"
+#include "services/stack-watch/supervisor/command_line.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

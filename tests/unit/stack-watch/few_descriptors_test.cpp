@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "services/stack-watch/answering_device.hpp"
-#include "services/stack-watch/supervisor_reader.hpp"
+#include "services/stack-watch/supervisor/supervisor_reader.hpp"
 
 namespace markservo::stack_watch {
 namespace {

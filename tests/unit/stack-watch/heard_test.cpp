@@ -32,9 +32,9 @@ TEST(RecentCensus, TellsRatesOverFiveToTenSeconds) {
       census::Heard message;
       message.channel = "POSE";
       message.utime = at(second).wall_us + i * kSecond_us / (second < 50 ? 2 : 30);
-      recent.hear(message);
+      recent.observe(message);
     }
-    recent.tick(at(second + 1));
+    recent.step(at(second + 1));
   }
   const census::Report report = recent.report(at(100));
   EXPECT_GE(report.listened_s, 5.0);
@@ -45,8 +45,8 @@ TEST(RecentCensus, TellsRatesOverFiveToTenSeconds) {
 TEST(RecentCensus, KnowsSinceWhenAServiceIsAsItIs) {
   RecentCensus recent(at(0));
   for (int second = 0; second < 60; ++second) {
-    recent.hear(word(second < 40 ? "ready" : "stale", at(second)), at(second));
-    recent.tick(at(second));
+    recent.observe(word(second < 40 ? "ready" : "stale", at(second)), at(second));
+    recent.step(at(second));
   }
   EXPECT_EQ(recent.state_since_us(word("stale", at(60))), at(40).wall_us);
   EXPECT_EQ(recent.state_since_us(word("ready", at(60), 8)), std::nullopt);
@@ -54,41 +54,41 @@ TEST(RecentCensus, KnowsSinceWhenAServiceIsAsItIs) {
 
 TEST(RecentCensus, ForgetsWhoIsGone) {
   RecentCensus recent(at(0));
-  recent.hear(word("ready", at(0)), at(0));
-  for (int second = 1; second < 11; ++second) recent.tick(at(second));
+  recent.observe(word("ready", at(0)), at(0));
+  for (int second = 1; second < 11; ++second) recent.step(at(second));
   EXPECT_TRUE(recent.report(at(11)).services.empty());
-  for (int second = 11; second < 80; ++second) recent.tick(at(second));
+  for (int second = 11; second < 80; ++second) recent.step(at(second));
   EXPECT_EQ(recent.state_since_us(word("ready", at(0))), std::nullopt);
 }
 
 TEST(RecentCensus, TakesNoMoreThanSoMuchOfAHostileWriter) {
   RecentCensus recent(at(0));
-  for (int pid = 0; pid < 20'000; ++pid) recent.hear(word("ready", at(0), pid), at(0));
+  for (int pid = 0; pid < 20'000; ++pid) recent.observe(word("ready", at(0), pid), at(0));
   EXPECT_LE(recent.report(at(1)).services.size(), 1024U);
 }
 
 TEST(RecentCensus, HasRoomForWhatTheSupervisorRunsInAFlood) {
   RecentCensus recent(at(0));
-  recent.know({"here", {{"visual-servo", 7}}});
+  recent.observe({"here", {{"visual-servo", 7}}});
   const auto flood = [&recent](int second) {
     for (int i = 0; i < 6'000; ++i) {
-      recent.hear(word("ready", at(second), 1000 + i), at(second));
+      recent.observe(word("ready", at(second), 1000 + i), at(second));
       census::Heard message;
       message.channel = "FLOOD_" + std::to_string(i);
       message.utime = at(second).wall_us;
       message.session = 5000 + i;
-      recent.hear(message);
+      recent.observe(message);
     }
   };
   for (int second = 0; second < 20; ++second) {
     flood(second);
-    recent.hear(word("ready", at(second)), at(second));
+    recent.observe(word("ready", at(second)), at(second));
     census::Heard message;
     message.channel = "SERVO_STATUS";
     message.utime = at(second).wall_us;
     message.session = 107;
-    recent.hear(message);
-    recent.tick(at(second));
+    recent.observe(message);
+    recent.step(at(second));
   }
   const census::Report report = recent.report(at(20));
   const auto own = std::find_if(report.services.begin(), report.services.end(),

@@ -29,11 +29,11 @@ class Stack {
     for (int i = 0; i < ticks; ++i, now_us += kTick_us, ++count) {
       if (count % 4 == 0) {
         watch.send_beacon();
-        if (phase.bus && phase.servo) watch.hear_word("visual-servo", 7, kSession, now_us);
-        if (phase.bus && phase.locator) watch.hear_word("target-locator", 8, kSession + 1, now_us);
-        if (phase.bus) watch.hear_beacon(now_us);
+        if (phase.bus && phase.servo) watch.observe_word("visual-servo", 7, kSession, now_us);
+        if (phase.bus && phase.locator) watch.observe_word("target-locator", 8, kSession + 1, now_us);
+        if (phase.bus) watch.observe_beacon(now_us);
       }
-      for (const SilentService& silent : watch.tick(processes, now_us)) told.push_back(silent);
+      for (const SilentService& silent : watch.step(processes, now_us)) told.push_back(silent);
     }
   }
 
@@ -114,9 +114,9 @@ TEST(SilenceWatch, ListensToNobodyElse) {
   Stack stack;
   stack.run({30});
   for (int i = 0; i < 12; ++i) {
-    stack.watch.hear_word("visual-servo", 70, kSession + 7, stack.now_us);
-    stack.watch.hear_session(kSession + 7, stack.now_us);
-    for (int pid = 1000; pid < 4000; ++pid) stack.watch.hear_word("x", pid, pid, stack.now_us);
+    stack.watch.observe_word("visual-servo", 70, kSession + 7, stack.now_us);
+    stack.watch.observe_session(kSession + 7, stack.now_us);
+    for (int pid = 1000; pid < 4000; ++pid) stack.watch.observe_word("x", pid, pid, stack.now_us);
     stack.run({0.5, false});
   }
   ASSERT_EQ(stack.told.size(), 1U) << "a word of another process of that name is none of its own";
@@ -145,7 +145,7 @@ TEST(SilenceWatch, TakesAnyMessageOfItsSessionForASignOfLife) {
   stack.run({30});
   for (int i = 0; i < 20; ++i) {
     stack.run({1, false});
-    stack.watch.hear_session(kSession, stack.now_us);
+    stack.watch.observe_session(kSession, stack.now_us);
   }
   EXPECT_TRUE(stack.told.empty());
 }
@@ -193,7 +193,7 @@ TEST(SilenceWatch, WaitsLongerWhereHalfOfAllMessagesAreLost) {
 
 TEST(SilenceWatch, KeepsNoMoreThanTheProcessesThatRun) {
   Stack stack;
-  for (int i = 0; i < 100'000; ++i) stack.watch.hear_word("x" + std::to_string(i), i, i + 1, stack.now_us);
+  for (int i = 0; i < 100'000; ++i) stack.watch.observe_word("x" + std::to_string(i), i, i + 1, stack.now_us);
   stack.run({30});
   EXPECT_EQ(stack.watch.silent_for_us("x5", 5, stack.now_us), -1);
   EXPECT_LE(stack.watch.silent_for_us("visual-servo", 7, stack.now_us), kSecond_us);

@@ -1,4 +1,4 @@
-#include "services/stack-watch/supervisor_words.hpp"
+#include "services/stack-watch/supervisor/supervisor_words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/background_reader.hpp"
+#include "services/stereo-camera/devices/background_reader.hpp"
 
 #include <gtest/gtest.h>
 

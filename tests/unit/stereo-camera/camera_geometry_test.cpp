@@ -1,4 +1,4 @@
-#include "services/stereo-camera/camera_geometry.hpp"
+#include "services/stereo-camera/calibration/camera_geometry.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/device_source.hpp"
+#include "services/stereo-camera/devices/device_source.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <deque>
 #include <utility>
 
-#include "services/stereo-camera/v4l2_device.hpp"
+#include "services/stereo-camera/devices/v4l2_device.hpp"
 #include "temporary_folder.hpp"
 
 namespace markservo::stereo_camera {

@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-#include "services/stereo-camera/side_by_side.hpp"
+#include "services/stereo-camera/pairs/side_by_side.hpp"
 
 namespace markservo::stereo_camera {
 namespace {

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/file_source.hpp"
+#include "services/stereo-camera/files/file_source.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "common/robot/configuration_error.hpp"
-#include "services/stereo-camera/picture_stream.hpp"
+#include "services/stereo-camera/files/picture_stream.hpp"
+#include "services/stereo-camera/files/video_stream.hpp"
 #include "services/stereo-camera/source_options.hpp"
-#include "services/stereo-camera/video_stream.hpp"
 #include "temporary_folder.hpp"
 
 namespace markservo::stereo_camera {

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/frame_pairing.hpp"
+#include "services/stereo-camera/pairs/frame_pairing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "services/stereo-camera/picture_list.hpp"
+#include "services/stereo-camera/files/picture_list.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

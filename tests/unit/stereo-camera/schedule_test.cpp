@@ -1,4 +1,4 @@
-#include "services/stereo-camera/schedule.hpp"
+#include "services/stereo-camera/files/schedule.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "services/stereo-camera/stereo_calibration.hpp"
+#include "services/stereo-camera/calibration/stereo_calibration.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "calibration_text.hpp"
 #include "common/robot/configuration_error.hpp"
-#include "services/stereo-camera/rectifier.hpp"
+#include "services/stereo-camera/calibration/rectifier.hpp"
 #include "temporary_folder.hpp"
 
 namespace markservo::stereo_camera {

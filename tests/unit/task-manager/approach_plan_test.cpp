@@ -65,7 +65,8 @@ TEST(ApproachPlan, SaysWhyThereIsNoWay) {
   const auto robot = default_robot();
   const auto plan =
       plan_approach(robot, Parameters(), *robot.find_mark("red_book"), {0.0325, 0.50, 0.032}, {robot.arm->home, 0.05});
-  EXPECT_EQ(plan.trouble, "no way to a posture before the target: beyond the arm's reach");
+  EXPECT_EQ(plan.trouble.rfind("no way to a posture before the target: beyond the arm's reach: 0.", 0), 0U)
+      << plan.trouble;
 }
 
 TEST(HomePlan, LeavesTheSideTableAlongTheArm) {

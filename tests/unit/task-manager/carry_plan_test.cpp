@@ -27,7 +27,8 @@ class CarryFrom : public ::testing::TestWithParam<std::pair<double, double>> {
 TEST_P(CarryFrom, KeepsTheBookClearOfItsNeighboursAndTheShelf) {
   ASSERT_EQ(plan_.trouble, "");
   EXPECT_GE(plan_.clearance, 0.004);
-  EXPECT_DOUBLE_EQ(way_clearance(arm_, parameters_.carry, grip_, {p_CT_, q_}, up_.end(), plan_.moves), plan_.clearance);
+  EXPECT_DOUBLE_EQ(path_clearance(arm_, parameters_.carry, grip_, {p_CT_, q_}, up_.end(), plan_.moves),
+                   plan_.clearance);
 }
 
 TEST_P(CarryFrom, GoesByPosturesTheArmCanTake) {
@@ -78,7 +79,7 @@ TEST(CarryPlan, SeesABookThatIsTurnedBetweenItsNeighbours) {
   const auto q = robot::inverse_kinematics(*robot.arm, p_CT + grip.p_TG, 0.0).q;
   Move turn;
   turn.q = q + robot::JointVector(0.3, 0.0, 0.0);
-  EXPECT_LT(way_clearance(*robot.arm, CarryParameters(), grip, {p_CT, q}, q, {turn}), 0.0);
+  EXPECT_LT(path_clearance(*robot.arm, CarryParameters(), grip, {p_CT, q}, q, {turn}), 0.0);
 }
 
 TEST(CarryPlan, SaysWhyABookCannotBeCarried) {

@@ -136,9 +136,9 @@ class FullHand : public ::testing::Test {
 TEST_F(FullHand, HoldsUntilItWasToldToOpen) {
   EXPECT_TRUE(holding_.holds_on(arm_));
   EXPECT_TRUE(holding_.over_place());
-  holding_.tell(0.010);
+  holding_.observe_command(0.010);
   EXPECT_TRUE(holding_.holds_on(arm_));
-  holding_.tell(0.050);
+  holding_.observe_command(0.050);
   EXPECT_FALSE(holding_.holds_on(arm_));
   EXPECT_TRUE(holding_.something()) << "nobody knows";
 }

@@ -2,11 +2,13 @@
 
 #include "services/task-operator/task_operator_node.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdint>
+#include <markservo/ServiceStatus.hpp>
 #include <markservo/StopRequest.hpp>
 #include <markservo/StopState.hpp>
 #include <markservo/TaskCommand.hpp>
@@ -19,6 +21,10 @@
 
 namespace markservo::task_operator {
 namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 const std::string kRobotFile = std::string(MARKSERVO_SOURCE_DIR) + "/config/robot.yaml";
 
@@ -34,10 +40,10 @@ class OperatorOnABus : public ::testing::Test {
     bus_.every(std::chrono::seconds(60), [this] { bus_.stop(); });  // only a failure waits so long
   }
 
-  // The exit code of `task-operator WORDS`.
-  int run(std::vector<std::string> words) {
+  // The exit code of `task-operator WORDS`, typed as `program`.
+  int run(std::vector<std::string> words, const std::string& program = "scripts/task") {
     CLI::App app;
-    TaskOperatorNode node;
+    TaskOperatorNode node(program);
     node.add_options(app);
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
     node.configure(kRobotFile);
@@ -46,8 +52,17 @@ class OperatorOnABus : public ::testing::Test {
     return node.exit_code();
   }
 
+  // What it says on the standard error when nobody obeys. Once a test, as run(): the bus outlives the node.
+  std::string complaint(const std::string& program = "scripts/task") {
+    obeys_ = false;
+    ::testing::internal::CaptureStderr();
+    EXPECT_EQ(run({"stop", "--patience", "0.3"}, program), kExitNoAnswer);
+    return ::testing::internal::GetCapturedStderr();
+  }
+
   bool latched_ = true;
-  int deaf_to_ = 0;  // requests that get lost
+  std::vector<std::string> services_;  // who speaks there too
+  int deaf_to_ = 0;                    // requests that get lost
   bool obeys_ = true;
   std::vector<std::int8_t> procedure_;  // states that follow one after the other once a command came
   std::vector<StopRequest> requests_;
@@ -81,6 +96,15 @@ class OperatorOnABus : public ::testing::Test {
       if (procedure_.size() > 1) procedure_.erase(procedure_.begin());
     }
     task_states_.publish(task_);
+    for (const std::string& service : services_) tell_status(service);
+  }
+  void tell_status(const std::string& service) {
+    ServiceStatus status{};
+    status.name = service;
+    status.session = 77;
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.getEncodedSize()));
+    status.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+    bus_.publish_raw(channels::kServiceStatus.name, bytes.data(), bytes.size());
   }
 
   const std::vector<std::string> devices_ = robot::load_robot_description(kRobotFile).stop_devices;
@@ -158,6 +182,23 @@ TEST_F(OperatorOnABus, StartReleasesNoStop) {
 TEST_F(OperatorOnABus, AnArmThatDoesNotObeyIsExitCodeFour) {
   obeys_ = false;
   EXPECT_EQ(run({"stop", "--patience", "0.3"}), kExitNoAnswer);
+}
+
+TEST_F(OperatorOnABus, WhereNobodyObeysItSaysWhoSpeaksThere) {
+  services_ = {"simulator", "mark-detector"};
+  EXPECT_THAT(complaint(), EndsWith("; asked on memq://, where mark-detector and simulator speak\n"));
+}
+
+TEST_F(OperatorOnABus, WhereNobodySpeaksItSaysSo) {
+  EXPECT_THAT(complaint(), HasSubstr("; asked on memq://, where no service speaks: "));
+}
+
+TEST_F(OperatorOnABus, ComplainsInTheNameThatWasTyped) {
+  EXPECT_THAT(complaint("markservo task"), StartsWith("task: no answer from "));
+}
+
+TEST_F(OperatorOnABus, StartedByItsPathItComplainsInItsOwnName) {
+  EXPECT_THAT(complaint("build/release/bin/task-operator"), StartsWith("task-operator: no answer from "));
 }
 
 TEST_F(OperatorOnABus, HomeSendsItsKind) {

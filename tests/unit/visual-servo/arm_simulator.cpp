@@ -96,7 +96,7 @@ void ArmSimulator::tick() {
     if (opening > object_width) opening_target_ = opening;
   }
   opening = towards(opening, std::max(opening_target_, object_width), kGripperSpeed * kTick_s);
-  for (int i = 0; i < robot::kNumJoints; ++i) joints_[static_cast<std::size_t>(i)].advance(servo(i), kTick_s);
+  for (int i = 0; i < robot::kNumJoints; ++i) joints_[static_cast<std::size_t>(i)].step(servo(i), kTick_s);
   time_ += kTick_s;
   path_.push_back(grip_point());
   deepest_y_ = std::max(deepest_y_, path_.back().y());

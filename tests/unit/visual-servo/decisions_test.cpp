@@ -4,7 +4,7 @@
 
 #include "services/visual-servo/decisions/followed_goal.hpp"
 #include "services/visual-servo/decisions/lost_arm.hpp"
-#include "services/visual-servo/decisions/motion_permit.hpp"
+#include "services/visual-servo/decisions/motion_enable.hpp"
 #include "services/visual-servo/decisions/picture_clock.hpp"
 
 namespace markservo::visual_servo::test {
@@ -64,11 +64,11 @@ TEST(FollowedGoal, ARefusalIsOfOneGoal) {
 TEST(FollowedGoal, OneHeardBeforeAnyTimeIsJudgedByTheFirst) {
   FollowedGoal fresh;
   fresh.observe(goal_at(kNow), 0, kAge_s, false);
-  fresh.judge_by_first_time(kNow + 300'000, kAge_s);
+  fresh.end_unless_fresh(kNow + 300'000, kAge_s);
   EXPECT_TRUE(fresh.goal());
   FollowedGoal old;
   old.observe(goal_at(kNow), 0, kAge_s, false);
-  old.judge_by_first_time(kNow + 3'000'000, kAge_s);
+  old.end_unless_fresh(kNow + 3'000'000, kAge_s);
   EXPECT_FALSE(old.goal());
   EXPECT_EQ(old.observe(goal_at(kNow + 3'000'000), kNow + 3'000'000, kAge_s, false), motion::GoalHeard::kEnded);
 }
@@ -88,34 +88,34 @@ TEST(FollowedGoal, HoldsWithoutAGoalAndByOneThatSaysSo) {
 
 TEST(LostArm, IsTakenOnceWhileItHolds) {
   LostArm lost;
-  EXPECT_TRUE(lost.take(true));
-  EXPECT_FALSE(lost.take(true));
-  EXPECT_FALSE(lost.take(true));
+  EXPECT_TRUE(lost.adopts(true));
+  EXPECT_FALSE(lost.adopts(true));
+  EXPECT_FALSE(lost.adopts(true));
   lost.forget();
-  EXPECT_TRUE(lost.take(true)) << "by another goal";
+  EXPECT_TRUE(lost.adopts(true)) << "by another goal";
 }
 
 TEST(LostArm, IsTakenEachTimeWhileItIsToMove) {
   LostArm lost;
-  EXPECT_TRUE(lost.take(true));
-  EXPECT_TRUE(lost.take(false));
-  EXPECT_TRUE(lost.take(false));
-  EXPECT_TRUE(lost.take(true)) << "it moved in between";
+  EXPECT_TRUE(lost.adopts(true));
+  EXPECT_TRUE(lost.adopts(false));
+  EXPECT_TRUE(lost.adopts(false));
+  EXPECT_TRUE(lost.adopts(true)) << "it moved in between";
 }
 
-TEST(MotionPermit, IsNotGivenBeforeTheArmHasSpoken) {
-  MotionPermit permit;
-  EXPECT_FALSE(permit.released());
-  EXPECT_FALSE(permit.latched());
-  EXPECT_EQ(permit.why_stopped(), "no STOP_STATE of the arm yet");
-  permit.observe_stop(true, "");
-  EXPECT_TRUE(permit.latched());
-  EXPECT_EQ(permit.why_stopped(), "STOP is latched");
-  permit.observe_stop(true, "button");
-  EXPECT_EQ(permit.why_stopped(), "button");
-  permit.observe_stop(false, "");
-  EXPECT_TRUE(permit.released());
-  EXPECT_EQ(permit.why_stopped(), "");
+TEST(MotionEnable, IsNotGivenBeforeTheArmHasSpoken) {
+  MotionEnable enable;
+  EXPECT_FALSE(enable.released());
+  EXPECT_FALSE(enable.latched());
+  EXPECT_EQ(enable.why_stopped(), "no STOP_STATE of the arm yet");
+  enable.observe_stop(true, "");
+  EXPECT_TRUE(enable.latched());
+  EXPECT_EQ(enable.why_stopped(), "STOP is latched");
+  enable.observe_stop(true, "button");
+  EXPECT_EQ(enable.why_stopped(), "button");
+  enable.observe_stop(false, "");
+  EXPECT_TRUE(enable.released());
+  EXPECT_EQ(enable.why_stopped(), "");
 }
 
 TEST(PictureClock, TellsTheNextPictureFromOneAfterAGapAndOneOfAnotherWriter) {

@@ -41,7 +41,7 @@ class HandAndTargetOfARobot : public testing::Test {
     PoseSample pose;
     pose.utime = 7;
     pose.marks = {{"hand", hand_located, "hidden", p_CM, kCovariance}, {"red_book", true, "", p_CT, kCovariance}};
-    return marks_.see({}, *robot_.arm, pose, q_, "hand", "red_book");
+    return marks_.observe({}, *robot_.arm, pose, q_, "hand", "red_book");
   }
 
   robot::RobotDescription robot_ = the_robot();
@@ -109,7 +109,7 @@ TEST_F(PaperLawOfARobot, CountsOnAfterALostMarkAndAnewAfterASilentSender) {
   for (int i = 0; i < 3; ++i) frame();
   state_.lose_sight();
   EXPECT_TRUE(frame().converged);
-  state_.pause();
+  state_.interrupt();
   EXPECT_FALSE(frame().converged);
 }
 

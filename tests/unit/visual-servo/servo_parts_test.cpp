@@ -52,17 +52,17 @@ TEST(JointHistory, KnowsSinceWhenTheArmIsThere) {
 
 TEST(StillTarget, AveragesNoiseAway) {
   StillTarget target;
-  for (int i = 0; i < 30; ++i) target.see({}, {i % 2 == 0 ? 0.0002 : -0.0002, 0.25, 0.0}, kCovariance);
+  for (int i = 0; i < 30; ++i) target.observe({}, {i % 2 == 0 ? 0.0002 : -0.0002, 0.25, 0.0}, kCovariance);
   EXPECT_NEAR(target.position().x(), 0.0, 1e-9);
   EXPECT_NEAR(target.covariance()(0, 0), kCovariance(0, 0) / 30.0, 1e-12);
 }
 
 TEST(StillTarget, PassesOverOneOutlierAndFollowsAMove) {
   StillTarget target;
-  for (int i = 0; i < 10; ++i) target.see({}, {0.0, 0.25, 0.0}, kCovariance);
-  target.see({}, {0.05, 0.25, 0.0}, kCovariance);
+  for (int i = 0; i < 10; ++i) target.observe({}, {0.0, 0.25, 0.0}, kCovariance);
+  target.observe({}, {0.05, 0.25, 0.0}, kCovariance);
   EXPECT_EQ(target.position().x(), 0.0);
-  target.see({}, {0.05, 0.25, 0.0}, kCovariance);
+  target.observe({}, {0.05, 0.25, 0.0}, kCovariance);
   EXPECT_EQ(target.position().x(), 0.05);
 }
 
@@ -94,7 +94,7 @@ TEST(SettledWindow, RemembersMoreFramesOnlyWhileInDoubt) {
   for (int i = 0; i < 4; ++i) window.add(parameters, Eigen::Vector3d::Zero());
   EXPECT_EQ(window.size(), 8);
   EXPECT_NEAR(window.mean().x(), 0.000075, 1e-9);
-  window.clear();
+  window.forget();
   for (int i = 0; i < 6; ++i) window.add(parameters, Eigen::Vector3d::Zero());
   EXPECT_EQ(window.size(), 4);
 }
@@ -109,7 +109,7 @@ TEST(KinematicBias, LearnsWhereTheArmStandsAndHowLongItsLinksAre) {
   KinematicBiasParameters parameters;
   for (int i = 0; i < 60; ++i) {
     const JointVector q(0.5 - 0.01 * i, 1.5 - 0.01 * i, -1.8 + 0.02 * i);
-    bias.see(*robot.arm, parameters, q, JointVector(-0.3, -0.3, 0.6), robot::hand_mark(truth, q));
+    bias.observe(*robot.arm, parameters, q, JointVector(-0.3, -0.3, 0.6), robot::hand_mark(truth, q));
   }
   const JointVector ahead(-0.2, 0.85, -0.5);  // further on, never seen
   const Eigen::Vector3d expected = robot::grip_point(truth, ahead) - robot::grip_point(*robot.arm, ahead);
@@ -129,7 +129,7 @@ TEST(KinematicBias, IsNotSpoiltByShaftsThatTrailBehindAMovingArm) {
     q += kFrame_s * speed;
     const JointVector directions = frame < 1 ? JointVector::Zero() : JointVector(1.0, -1.0, 1.0);
     const JointVector trailing = kPlay * directions + 0.004 * speed + 0.005 * speed.cwiseProduct(speed.cwiseAbs());
-    bias.see(*robot.arm, {}, q, speed, robot::hand_mark(*robot.arm, q - trailing));
+    bias.observe(*robot.arm, {}, q, speed, robot::hand_mark(*robot.arm, q - trailing));
   }
   EXPECT_EQ(bias.directions(), JointVector(1.0, -1.0, 1.0));
   const Eigen::Vector3d expected =

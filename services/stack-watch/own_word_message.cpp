@@ -1,0 +1,41 @@
+#include "services/stack-watch/own_word_message.hpp"
+
+#include <unistd.h>
+
+#include <markservo/ServiceStatus.hpp>
+#include <markservo/channels.hpp>
+
+#include "common/bus/host_name.hpp"
+#include "common/bus/session.hpp"
+#include "common/census/census.hpp"
+#include "services/stack-watch/lcm_datagram.hpp"
+
+namespace markservo::stack_watch {
+namespace {
+
+constexpr std::size_t kMaxReason = 200;  // bytes, as any text on the bus
+
+}  // namespace
+
+OwnWord::OwnWord(const std::string& robot)
+    : channel_((robot.empty() ? "" : robot + "/") + std::string(channels::kServiceStatus.name)),
+      host_(bus::host_name()),
+      session_(bus::random_session()) {}
+
+std::vector<std::uint8_t> OwnWord::next(bool well, const std::string& reason, std::int64_t wall_us) {
+  ServiceStatus status{};
+  status.reason = reason.substr(0, kMaxReason);
+  status.utime = wall_us;
+  status.session = session_;
+  status.seq = ++seq_;
+  status.name = census::kStackWatch;
+  status.host = host_;
+  status.pid = getpid();
+  status.version = MARKSERVO_VERSION;
+  status.state = well ? "ready" : "stale";
+  std::vector<std::uint8_t> payload(static_cast<std::size_t>(status.getEncodedSize()));
+  status.encode(payload.data(), 0, static_cast<int>(payload.size()));
+  return short_message(static_cast<std::uint32_t>(seq_), channel_, payload);
+}
+
+}  // namespace markservo::stack_watch
