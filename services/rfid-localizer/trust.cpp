@@ -7,11 +7,6 @@
 
 namespace markservo::rfid_localizer {
 
-bool Trust::weigh() {
-  suspected_ = doubt_ >= (suspected_ ? parameters_.cleared : parameters_.suspect);
-  return doubt_ >= parameters_.lost;
-}
-
 bool Trust::follow(Agreement agreement, double surprise, double sigma) {
   if (agreement == Agreement::kAgrees) {
     constexpr double kMostRelief = -2.0;
@@ -21,7 +16,7 @@ bool Trust::follow(Agreement agreement, double surprise, double sigma) {
     if (agreements_ == parameters_.confirmations && sigma <= parameters_.largest_sigma) placed_once_ = true;
   }
   if (agreement == Agreement::kContradicts) doubt_ += 1.0;
-  return weigh();
+  return doubt_ >= parameters_.lost;
 }
 
 bool Trust::follow_silence(double probability) {
@@ -29,19 +24,18 @@ bool Trust::follow_silence(double probability) {
   constexpr double kLeast = 1e-300;
   const double doubtful = std::log(std::max(probability, kLeast)) / std::log(parameters_.unlikely);
   doubt_ += std::min(doubtful, 1.0);
-  return weigh();
+  return doubt_ >= parameters_.lost;
 }
 
 void Trust::lose(const std::string& why) {
   agreements_ = 0;
   doubt_ = 0.0;
-  suspected_ = false;
   why_lost_ = why;
 }
 
 Placement Trust::placement(double sigma, double since_round) const {
-  const bool good = agreements_ == parameters_.confirmations && !suspected_ && sigma <= parameters_.largest_sigma &&
-                    since_round <= parameters_.silence;
+  const bool good = agreements_ == parameters_.confirmations && doubt_ < parameters_.suspect &&
+                    sigma <= parameters_.largest_sigma && since_round <= parameters_.silence;
   if (good) return Placement::kLocalised;
   return placed_once_ ? Placement::kLost : Placement::kSearching;
 }
@@ -57,7 +51,7 @@ std::string Trust::reason(double sigma, double since_round) const {
   if (agreements_ < parameters_.confirmations) {
     return fmt::format("{} of {} rounds confirm the place", agreements_, parameters_.confirmations);
   }
-  if (suspected_) return "the reads contradict the pose";
+  if (doubt_ >= parameters_.suspect) return "the reads contradict the pose";
   return fmt::format("position known to {:.2f} m only; allowed: {:.2f} m", sigma, parameters_.largest_sigma);
 }
 

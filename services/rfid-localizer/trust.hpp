@@ -11,7 +11,6 @@ enum class Placement { kSearching, kLocalised, kLost };
 struct TrustParameters {
   double lost = 5.0;            // of doubt, which each contradicting round raises by 1: half a second at 10 Hz
   double suspect = 3.0;         // of doubt; more is no place to drive by
-  double cleared = 1.0;         // of doubt, to which it must fall before it is one again: no pose comes and goes
   double usual_surprise = 1.2;  // standard deviations; a round with reads and less lowers the doubt; nine in ten have
   double surprise_scale = 2.0;  // standard deviations beyond the usual raise the doubt by 1, which is the most
   double unlikely = 0.01;       // a silent round of this probability raises the doubt by 1, which is the most
@@ -47,14 +46,10 @@ class Trust {
   std::string reason(double sigma, double since_round) const;
 
  private:
-  // A round has changed the doubt. True when all trust is lost.
-  bool weigh();
-
   TrustParameters parameters_;
   bool placed_once_ = false;
   int agreements_ = 0;
   double doubt_ = 0.0;
-  bool suspected_ = false;
   std::string why_lost_;
 };
 

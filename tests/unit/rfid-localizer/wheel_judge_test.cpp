@@ -80,6 +80,7 @@ class JudgedDrive {
     const Eigen::Matrix<double, 5, 2> K = before.covariance * H.transpose() * C.inverse();
     filter_.mean += K * (measured - H * before.mean);
     filter_.covariance -= K * C * K.transpose();
+    filter_.covariance = 0.5 * (filter_.covariance + filter_.covariance.transpose()).eval();
     judge_.matched(before, filter_, H);
   }
 
