@@ -27,6 +27,7 @@ BaseDescription load_base(YamlSection section) {
   YamlSection odometry = section.section("odometry");
   base.scale_sigma = odometry.number("scale_sigma", Allowed::between(0.0, 0.3));
   base.drift = radians(odometry.number("drift_deg_per_sqrt_m", Allowed::between(0.0, 60.0)));
+  if (odometry.has("pivot_wander")) base.pivot_wander = odometry.number("pivot_wander", Allowed::between(0.0, 0.5));
   odometry.require_all_used();
   YamlSection outline = section.section("outline");
   base.front = outline.number("front", kLength);

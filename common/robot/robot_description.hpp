@@ -106,10 +106,11 @@ struct BaseDescription {
   double wheel_radius = 0.0;  // m
   double track = 0.0;         // m, between the wheels' middles
   int ticks_per_turn = 0;
-  int counter_bits = 32;     // the tick counters wrap around at 2^counter_bits
-  double scale_sigma = 0.0;  // standard deviation of the true distance over the ticks' minus 1
-  double drift = 0.0;        // rad per sqrt(m), random walk of the true heading against the ticks'
-  double front = 0.0;        // m, the outline in R: -rear <= x <= front, |y| <= half_width
+  int counter_bits = 32;      // the tick counters wrap around at 2^counter_bits
+  double scale_sigma = 0.0;   // standard deviation of the true distance over the ticks' minus 1
+  double drift = 0.0;         // rad per sqrt(m), random walk of the true heading against the ticks'
+  double pivot_wander = 0.0;  // m per sqrt(rad), each axis: random walk of the place while the base turns
+  double front = 0.0;         // m, the outline in R: -rear <= x <= front, |y| <= half_width
   double rear = 0.0;
   double half_width = 0.0;
   double speed_max = 0.0;              // m/s

@@ -28,6 +28,14 @@ std::int64_t EncoderCounters::difference(std::int32_t newer, std::int32_t older)
   return change;
 }
 
+double EncoderCounters::turning(double turn) {
+  // A wheel that stops between two ticks may tell either: driving straight on would add up to a turn of its own.
+  const double dead_band = base_.metres_per_tick() / base_.track;
+  const double moved = play_ + turn;
+  play_ = std::clamp(moved, -dead_band, dead_band);
+  return std::abs(moved - play_);
+}
+
 std::optional<WheelMotion> EncoderCounters::motion(const EncoderReading& reading) {
   if (base_.ticks_per_turn <= 0 || !(base_.wheel_radius > 0.0) || !(base_.track > 0.0)) {
     throw std::invalid_argument("encoders of a robot whose base is not described; allowed: a robot.yaml with 'base'");
@@ -56,7 +64,8 @@ std::optional<WheelMotion> EncoderCounters::motion(const EncoderReading& reading
   if (jumped) ++jumps_;
   if (restarted || jumped || ambiguous)
     return WheelMotion{0.0, 0.0, time, base_.speed_max * std::min(time, kLongestGap)};
-  return WheelMotion{0.5 * (left + right), (right - left) / base_.track, time, 0.0};
+  const double turn = (right - left) / base_.track;
+  return WheelMotion{0.5 * (left + right), turn, time, 0.0, turning(turn)};
 }
 
 }  // namespace markservo::rfid_localizer

@@ -34,9 +34,12 @@ class EncoderCounters {
 
  private:
   std::int64_t difference(std::int32_t newer, std::int32_t older) const;
+  // Of a `turn` (rad), what is more than the ticks' jitter.
+  double turning(double turn);
 
   robot::BaseDescription base_;
   std::optional<EncoderReading> last_;
+  double play_ = 0.0;  // rad, of the heading against its dead band's middle
   std::int64_t jumps_ = 0;
 };
 

@@ -30,7 +30,7 @@ Localizer::Localizer(const robot::BaseDescription& base, const robot::RfidDescri
              ReadModel(rfid.reading_radius, blurred(rfid.edge_softness, parameters.survey_sigma)),
              TagReliability(field.tags.size(), parameters.reliability)},
       counters_(base),
-      motion_(history_, rfid.p_RF, parameters.wheels, parameters.free),
+      motion_(history_, rfid.p_RF, parameters.wheels, parameters.free, parameters.judge),
       paper_(parameters.paper),
       trust_(parameters.trust) {
   motion_.set_heading(parameters.start_heading);
@@ -38,6 +38,7 @@ Localizer::Localizer(const robot::BaseDescription& base, const robot::RfidDescri
 
 void Localizer::lose(const std::string& why) {
   belief_.mixture.clear();
+  motion_.restart_judging();
   trust_.lose(why);
   // What was known of the heading at the start is past.
   motion_.set_heading(std::nullopt);
@@ -70,7 +71,7 @@ void Localizer::observe(const EncoderReading& reading) {
   if (!belief_.empty() && has_wheels()) {
     // While no round comes the wheels' record would be forgotten before it is used.
     const std::int64_t kept = std::min(reading.utime - WheelHistory::kKept_us, history_.newest());
-    if (kept > belief_.utime) belief_.predict(motion_.now(), kept);
+    if (kept > belief_.utime) motion_.predict(belief_, kept);
   }
   const std::optional<WheelMotion> motion = counters_.motion(reading);
   odometry_times_.accept(reading.utime, reading.session);
@@ -116,7 +117,7 @@ void Localizer::choose_motion(std::int64_t utime) {
   if (wheels == motion_.by_wheels()) return;
   if (!belief_.empty()) {
     // What lies before the wheels' record is inertia's still.
-    if (wheels && belief_.utime < history_.oldest()) belief_.predict(motion_.now(), history_.oldest());
+    if (wheels && belief_.utime < history_.oldest()) motion_.predict(belief_, history_.oldest());
     // The place stays known; how the robot moves is learnt anew.
     const Hypothesis all = whole();
     const AntennaView view = motion_.now().antenna(all, belief_.utime, 0);
@@ -193,7 +194,7 @@ void Localizer::observe(const TagRound& round) {
   paper_.observe(round.utime, places, speed);
 
   if (!belief_.empty() && time.middle > belief_.utime) {
-    belief_.predict(motion_.now(), time.middle);
+    motion_.predict(belief_, time.middle);
     if (position_sigma() > parameters_.hopeless_sigma) lose("too long without a tag of the map");
   }
   if (belief_.empty()) {
@@ -229,6 +230,9 @@ bool Localizer::match(const std::vector<HeardTag>& heard, const RoundTime& time)
     // Only a round that hears something tells which tags are silent: a reader that hears nothing would unlearn the map.
     if (explained) floor_.reliability.learn(one.tag, one.read, one.inside);
   }
+  const Hypothesis before = whole();
+  motion_.judge(before, moments(round.mixture, motion_.now().angle()),
+                antenna_in_the_middle(before, belief_.utime, motion_.now(), time));
   motion_.now().clean(round.mixture);
   belief_.mixture = std::move(round.mixture);
   if (reads.empty()) return trust_.follow_silence(round.probability);

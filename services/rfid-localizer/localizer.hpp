@@ -38,6 +38,7 @@ struct LocalizerParameters {
   double survey_sigma = 0.0;  // m, each axis, of the tags' positions in the map
   std::optional<HeadingPrior> start_heading;
   WheelMotionParameters wheels;
+  std::optional<WheelJudgeParameters> judge = WheelJudgeParameters{};  // nothing: wheels are as stated
   FreeMotionParameters free;
   RoundMatchParameters match;
   TagReliabilityParameters reliability;
@@ -83,6 +84,7 @@ class Localizer {
 
   bool has_wheels() const { return motion_.by_wheels(); }
   LocalizerFaults faults() const;
+  WheelJudgement wheel_judgement() const { return motion_.judgement(); }
   const TagReliability& reliability() const { return floor_.reliability; }
 
  private:

@@ -32,20 +32,13 @@ void add_localizer_options(CLI::App& app, LocalizerOptions& options) {
 }
 
 LocalizerParameters localizer_parameters(const LocalizerOptions& options, const robot::RobotDescription& robot) {
-  LocalizerParameters parameters;
+  LocalizerParameters parameters = parameters_of(robot, options.slip_margin);
   parameters.trust = options.trust;
-  parameters.delay = {options.delay.value_or(robot.rfid->delay), options.delay_sigma.value_or(robot.rfid->delay_sigma)};
-  parameters.survey_sigma = robot.floor_tags->survey_sigma;
-  parameters.reliability.read_probability = robot.rfid->read_probability;
-  parameters.paper.delay = parameters.delay.mean;
+  if (options.delay) parameters.delay.mean = parameters.paper.delay = *options.delay;
+  if (options.delay_sigma) parameters.delay.sigma = *options.delay_sigma;
   if (options.start_heading_deg) {
     parameters.start_heading =
         HeadingPrior{geometry::radians(*options.start_heading_deg), geometry::radians(options.start_heading_sigma_deg)};
-  }
-  if (robot.base) {
-    parameters.wheels.noise.track = robot.base->track;
-    parameters.wheels.noise.drift = options.slip_margin * robot.base->drift;
-    parameters.wheels.scale_sigma = robot.base->scale_sigma;
   }
   return parameters;
 }

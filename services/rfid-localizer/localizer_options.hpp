@@ -5,6 +5,7 @@
 
 #include "common/robot/robot_description.hpp"
 #include "services/rfid-localizer/localizer.hpp"
+#include "services/rfid-localizer/robot_parameters.hpp"
 
 namespace CLI {
 class App;
@@ -20,7 +21,7 @@ struct LocalizerOptions {
   std::optional<double> delay_sigma;        // s; likewise
   std::optional<double> start_heading_deg;  // absent: not known
   double start_heading_sigma_deg = 5.0;
-  double slip_margin = 1.3;  // keeps the covariance honest at 5% of slip
+  double slip_margin = kSlipMargin;
   TrustParameters trust;
 };
 

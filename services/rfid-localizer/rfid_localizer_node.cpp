@@ -73,6 +73,9 @@ void RfidLocalizerNode::publish(std::int64_t utime, std::int64_t odometry_sessio
 }
 
 void RfidLocalizerNode::tell(const RobotPose& pose) {
+  const WheelJudgement wheels = localizer_->wheel_judgement();
+  const std::string news = wheel_report_.news(wheels);
+  if (!news.empty()) logging::warn("{}", news);
   const char* state = name_of(messages::state_of<LocalisationState>(pose.state));
   const bool changed = told_ != state;
   // Counts that grow with every round would be a stream of their own.
@@ -89,6 +92,8 @@ void RfidLocalizerNode::tell(const RobotPose& pose) {
   add(faults.wrong_windows, "rounds with an impossible window");
   add(faults.late_odometry, "odometry out of order");
   add(faults.tick_jumps, "jumps of the encoders");
+  const std::string worse = describe(wheels);
+  if (!worse.empty()) what += (what.empty() ? "" : "; ") + worse;
   bus_->set_state(state, what);
   if (!changed) return;
   told_ = state;

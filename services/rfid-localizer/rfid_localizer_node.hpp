@@ -12,6 +12,7 @@
 #include "common/motion/sole_writer.hpp"
 #include "services/rfid-localizer/localizer.hpp"
 #include "services/rfid-localizer/localizer_options.hpp"
+#include "services/rfid-localizer/wheel_report.hpp"
 
 namespace markservo::rfid_localizer {
 
@@ -37,6 +38,7 @@ class RfidLocalizerNode : public bus::Service {
   bus::Bus* bus_ = nullptr;
   std::optional<bus::Publisher<RobotPose>> poses_;
   std::string told_;
+  WheelReport wheel_report_;
   bus::RepeatTimer tell_timer_{1'000'000};
 };
 

@@ -16,17 +16,6 @@ const HeardTag* find(const std::vector<HeardTag>& heard, int tag) {
   return at == heard.end() ? nullptr : &*at;
 }
 
-// Where the antenna was in the round's true middle, by a hypothesis: later than its own time by what the mixture has
-// not been led up to, and by what the delay is shorter than the one that the middle was told by.
-AntennaView antenna_in_the_middle(const Hypothesis& hypothesis, std::int64_t utime, const Motion& motion,
-                                  const RoundTime& time) {
-  AntennaView view = motion.antenna(hypothesis, time.middle, time.length);
-  if (!time.known) view.H.col(kDelay) = -view.velocity;
-  const double earlier = time.known ? 0.0 : hypothesis.mean[kDelay] - time.delay;
-  view.p_WF += (seconds_between(utime, time.middle) - earlier) * view.velocity;
-  return view;
-}
-
 std::vector<TagOutcome> outcomes_of(const std::vector<int>& near, const std::vector<HeardTag>& heard,
                                     const RoundTime& time, const Eigen::Vector2d& velocity, const Floor& floor) {
   std::vector<TagOutcome> outcomes;
@@ -72,6 +61,15 @@ TagTally& tally_of(int tag, const std::vector<HeardTag>& heard, std::vector<TagT
 }
 
 }  // namespace
+
+AntennaView antenna_in_the_middle(const Hypothesis& hypothesis, std::int64_t utime, const Motion& motion,
+                                  const RoundTime& time) {
+  AntennaView view = motion.antenna(hypothesis, time.middle, time.length);
+  if (!time.known) view.H.col(kDelay) = -view.velocity;
+  const double earlier = time.known ? 0.0 : hypothesis.mean[kDelay] - time.delay;
+  view.p_WF += (seconds_between(utime, time.middle) - earlier) * view.velocity;
+  return view;
+}
 
 RoundUpdate update(const Belief& belief, const Motion& motion, const RoundTime& time,
                    const std::vector<HeardTag>& heard, const Floor& floor, const RoundMatchParameters& parameters) {

@@ -49,6 +49,11 @@ struct RoundUpdate {
   std::vector<TagTally> tags;  // near any hypothesis
 };
 
+// Where the antenna was in the round's true middle, by a hypothesis for `utime` (us): later than that by what the
+// mixture has not been led up to, and by what the delay is shorter than the one that the middle was told by.
+AntennaView antenna_in_the_middle(const Hypothesis& hypothesis, std::int64_t utime, const Motion& motion,
+                                  const RoundTime& time);
+
 // `belief`, which is not empty, after the round in which `heard` answered.
 RoundUpdate update(const Belief& belief, const Motion& motion, const RoundTime& time,
                    const std::vector<HeardTag>& heard, const Floor& floor, const RoundMatchParameters& parameters);

@@ -17,6 +17,7 @@ struct WheelMotion {
   double turn = 0.0;         // rad, counter-clockwise
   double time = 0.0;         // s
   double unknown_way = 0.0;  // m, how far the robot may have gone besides, when a piece of the record is missing
+  double turning = 0.0;      // rad, of `turn` and against it added up, without what the ticks' jitter pretends
 };
 
 class WheelHistory {
@@ -51,7 +52,7 @@ class WheelHistory {
       const double share = static_cast<double>(last - first) / static_cast<double>(samples_[i].utime - begin);
       const WheelMotion& motion = samples_[i].motion;
       use(WheelMotion{motion.way * share, motion.turn * share, seconds_between(first, last),
-                      motion.unknown_way * std::sqrt(share)});
+                      motion.unknown_way * std::sqrt(share), motion.turning * share});
     }
   }
 

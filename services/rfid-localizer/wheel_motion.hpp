@@ -28,6 +28,9 @@ class WheelMotionModel final : public Motion {
   // `history` must outlive this.
   WheelMotionModel(const WheelHistory& history, const Eigen::Vector2d& p_RF, const WheelMotionParameters& parameters);
 
+  // From now on the wheels are believed so far.
+  void set_noise(const WheelNoise& noise) { parameters_.noise = noise; }
+
   // The next start() uses it; nothing: any heading.
   void set_heading(const std::optional<HeadingPrior>& heading) { heading_ = heading; }
 

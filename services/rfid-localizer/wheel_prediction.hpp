@@ -15,7 +15,20 @@ struct WheelNoise {
   double creep = 0.0003;       // m per sqrt(s): what no encoder sees
   double delay_walk = 0.0003;  // s per sqrt(s)
   double track = 0.32;         // m
+  double pivot_wander = 0.0;   // m per sqrt(rad), each axis, of the place while turning: robot.yaml's
 };
+
+// What each of robot.yaml's numbers adds to the covariance over one piece of the way, per unit of its square.
+struct NoiseShares {
+  StateCovariance drift = StateCovariance::Zero();         // 1 / (rad^2 / m)
+  StateCovariance pivot_wander = StateCovariance::Zero();  // 1 / (m^2 / rad)
+};
+
+// The Jacobian of the motion by the state, at `state`.
+StateCovariance motion_jacobian(const StateVector& state, const WheelMotion& motion);
+
+// At `state`. What `noise` has the turning itself do to the heading is nobody's share.
+NoiseShares noise_shares(const StateVector& state, const WheelMotion& motion, const WheelNoise& noise);
 
 // One piece of the way. Mean on an arc; covariance by the arc's Jacobian.
 void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise& noise);

@@ -39,6 +39,7 @@ inline constexpr std::uint64_t kWheelScale = 0x51;  // kBase's
 inline constexpr std::uint64_t kLeftGrip = 0x52;
 inline constexpr std::uint64_t kRightGrip = 0x53;
 inline constexpr std::uint64_t kFirstCount = 0x54;
+inline constexpr std::uint64_t kPivotWander = 0x55;
 inline constexpr std::uint64_t kTagPlace = 0x61;  // kTagFloor's
 inline constexpr std::uint64_t kTagRead = 0x71;   // kTagReader's
 inline constexpr std::uint64_t kStrayRead = 0x72;

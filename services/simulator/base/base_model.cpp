@@ -10,6 +10,7 @@ namespace markservo::simulator {
 namespace {
 
 constexpr double kMostSlip = 0.5;
+constexpr double kMostWander = 0.5;   // m per sqrt(rad)
 constexpr double kWrapWithin = 0.25;  // m of forward way
 
 void require(bool good, const char* what, double value, const char* allowed) {
@@ -52,11 +53,14 @@ BaseModel::BaseModel(const robot::BaseDescription& base, const BaseModelParamete
       drive_(base),
       left_{encoder(base, seed, 0), {grip_parameters(base, parameters), seed_for(seed, streams::kLeftGrip, 0)}},
       right_{encoder(base, seed, 1), {grip_parameters(base, parameters), seed_for(seed, streams::kRightGrip, 0)}},
+      wander_(parameters.pivot_wander, seed_for(seed, streams::kPivotWander, 0)),
       pose_(start) {
   require(parameters.scale_sigma >= 0.0 && parameters.scale_sigma <= 0.2, "scale_sigma", parameters.scale_sigma,
           "0 to 0.2");
   require(parameters.drift >= 0.0 && parameters.drift <= 1.0, "drift", parameters.drift, "0 to 1 rad per sqrt(m)");
   require(parameters.slip >= 0.0 && parameters.slip <= kMostSlip, "slip", parameters.slip, "0 to 0.5");
+  require(parameters.pivot_wander >= 0.0 && parameters.pivot_wander <= kMostWander, "pivot_wander",
+          parameters.pivot_wander, "0 to 0.5 m per sqrt(rad)");
   for (const double value : {start.x, start.y, start.heading}) {
     require(std::isfinite(value), "start pose", value, "finite numbers");
   }
@@ -77,6 +81,9 @@ void BaseModel::step(double dt) {
   const double way = 0.5 * (left + right);
   const double turn = (right - left) / track_;
   pose_ = along_arc(pose_, way, turn);
+  const Eigen::Vector2d push = wander_.turn(told.turn);
+  pose_.x += push.x();
+  pose_.y += push.y();
   true_motion_ = {way / dt, turn / dt};
 }
 

@@ -8,6 +8,7 @@
 #include "common/geometry/plane_pose.hpp"
 #include "common/robot/robot_description.hpp"
 #include "services/simulator/base/base_drive.hpp"
+#include "services/simulator/base/pivot_wander.hpp"
 #include "services/simulator/base/wheel_encoder.hpp"
 #include "services/simulator/base/wheel_grip.hpp"
 
@@ -18,6 +19,7 @@ struct BaseModelParameters {
   double scale_sigma = 0.02;  // standard deviation of one factor for both wheels, drawn once: tyres, load
   double drift = 0.0349;      // rad per sqrt(m): random walk of the heading, 2 degrees after a metre
   double slip = 0.0;          // mean share of a wheel's turning that moves nothing, [0, 0.5]
+  double pivot_wander = 0.0;  // m per sqrt(rad), each axis: random walk of the place while the base turns
 };
 
 // Raw counters, from 0 to 2^counter_bits - 1 (all 32 bits of an int32 at counter_bits 32).
@@ -51,6 +53,12 @@ class BaseModel {
   double left_distance() const { return left_.encoder.distance(); }    // m since the start, from the ticks
   double right_distance() const { return right_.encoder.distance(); }  // m
 
+  // What the noise comes from, both directions added up since the start.
+  double wheel_travel() const {
+    return 0.5 * (left_.grip.travelled() + right_.grip.travelled());
+  }                                                   // m, of a wheel on average
+  double turned() const { return wander_.turned(); }  // rad, as the wheels tell it
+
  private:
   struct Wheel {
     WheelEncoder encoder;
@@ -65,6 +73,7 @@ class BaseModel {
   BaseDrive drive_;
   Wheel left_;
   Wheel right_;
+  PivotWander wander_;
   geometry::PlanePose pose_;
   BaseMotion true_motion_;  // over the last step
 };

@@ -31,9 +31,11 @@ struct OdometryReading {
 };
 
 struct BaseTruth {
-  geometry::PlanePose pose;  // X_WR
-  double speed = 0.0;        // m/s
-  double turn_rate = 0.0;    // rad/s
+  geometry::PlanePose pose;   // X_WR
+  double speed = 0.0;         // m/s
+  double turn_rate = 0.0;     // rad/s
+  double wheel_travel = 0.0;  // m, of a wheel on average, both directions added up
+  double turned = 0.0;        // rad, as the wheels tell it, both directions added up
 };
 
 // What has become due since it was last taken.
@@ -70,7 +72,9 @@ class BaseRig {
   BaseOutputs take_due();
 
   std::int64_t utime() const { return utime_; }  // us
-  BaseTruth truth() const { return {base_.pose(), base_.speed(), base_.turn_rate()}; }
+  BaseTruth truth() const {
+    return {base_.pose(), base_.speed(), base_.turn_rate(), base_.wheel_travel(), base_.turned()};
+  }
   // The true floor; null without a reader.
   const TagFloor* floor() const { return reader_ ? &reader_->floor() : nullptr; }
 

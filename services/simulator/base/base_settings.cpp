@@ -13,6 +13,7 @@ BaseSettings default_base_settings(const robot::RobotDescription& robot, const D
   if (robot.base) {
     settings.scale_sigma = robot.base->scale_sigma;
     settings.drift_deg_per_sqrt_m = geometry::degrees(robot.base->drift);
+    settings.pivot_wander = robot.base->pivot_wander;
   }
   return settings;
 }
@@ -22,6 +23,7 @@ BaseModelParameters base_model_parameters(const BaseSettings& settings) {
   parameters.scale_sigma = settings.scale_sigma;
   parameters.drift = geometry::radians(settings.drift_deg_per_sqrt_m);
   parameters.slip = settings.slip;
+  parameters.pivot_wander = settings.pivot_wander;
   return parameters;
 }
 

@@ -18,6 +18,7 @@ struct BaseSettings {
   double scale_sigma = 0.0;
   double drift_deg_per_sqrt_m = 0.0;
   double slip = 0.0;
+  double pivot_wander = 0.0;
 
   geometry::PlanePose start() const {  // X_WR
     return geometry::pose_from_degrees(start_x, start_y, start_heading_deg);
@@ -36,6 +37,8 @@ inline constexpr Setting<BaseSettings> kBaseSettings[] = {
      "deg per sqrt(m), random walk of the heading against what the encoders tell"},
     {"base.slip", &BaseSettings::slip, 0.0, 0.5, TakesEffect::kAtReset,
      "mean share of a wheel's turning that makes no way"},
+    {"base.pivot_wander", &BaseSettings::pivot_wander, 0.0, 0.5, TakesEffect::kAtReset,
+     "m per sqrt(rad), random walk of the place while the base turns"},
 };
 
 // At `dock`, the encoders as good as robot.yaml has them.

@@ -19,6 +19,8 @@ class WheelGrip {
   // The true way (m) while the wheel turns by `turned` (m).
   double roll(double turned);
 
+  double travelled() const { return travelled_; }  // m, both directions added up
+
  private:
   WheelGripParameters parameters_;
   RandomBits bits_;

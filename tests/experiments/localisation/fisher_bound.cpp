@@ -36,10 +36,18 @@ Step step(const PathPoint& from, const PathPoint& to, const EncoderNoise& noise)
   result.transition(1, 2) = way.x();
   result.transition.block<2, 1>(0, kScale) = way;
   result.transition(2, kScale) = to.heading - from.heading;
-  if (length > 0.0) {
-    result.noise.topLeftCorner<2, 2>() = noise.along * noise.along / length * way * way.transpose();
-  }
-  result.noise(2, 2) = noise.heading_drift * noise.heading_drift * length;
+  const bool wheels_told = to.wheel_travel > 0.0;
+  const double travel = wheels_told ? to.wheel_travel - from.wheel_travel : length;
+  const double heading = 0.5 * (from.heading + to.heading);
+  // The wheels' own way is along the heading; a base that wanders goes elsewhere.
+  const Eigen::Vector2d along = wheels_told    ? Eigen::Vector2d(std::cos(heading), std::sin(heading))
+                                : length > 0.0 ? Eigen::Vector2d(way / length)
+                                               : Eigen::Vector2d::Zero();
+  result.noise.topLeftCorner<2, 2>() = noise.along * noise.along * travel * along * along.transpose();
+  const double wander = noise.pivot_wander * noise.pivot_wander * (to.turned - from.turned);
+  result.noise(0, 0) += wander;
+  result.noise(1, 1) += wander;
+  result.noise(2, 2) = noise.heading_drift * noise.heading_drift * travel;
   return result;
 }
 

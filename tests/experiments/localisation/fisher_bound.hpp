@@ -25,11 +25,13 @@ struct BoundPrior {
   double delay_variance = 0.0;                                  // s^2, of the delay from middle to arrival
 };
 
-// How the encoders err, as the simulated base has it: one scale for the whole run, and random walks with the way.
+// How the encoders err, as the simulated base has it: one scale for the whole run, and random walks with the way that
+// its wheels went (where the path does not tell it: that of the base) and the angle that they turned it by.
 struct EncoderNoise {
   double scale_sigma = 0.02;                      // of way and turn alike
   double heading_drift = geometry::radians(2.0);  // rad/sqrt(m)
   double along = 0.0;                             // m/sqrt(m): drift * track / 2 of two wheels that err on their own
+  double pivot_wander = 0.0;                      // m/sqrt(rad), each axis, while the wheels turn the base
 };
 
 // How a base without encoders may move: its velocity drifts by white acceleration, and is unknown at first.

@@ -42,6 +42,8 @@ PathPoint TruePath::at(double time) const {
   point.heading = a.heading + share * (b.heading - a.heading);
   point.speed = a.speed + share * (b.speed - a.speed);
   point.turn_rate = a.turn_rate + share * (b.turn_rate - a.turn_rate);
+  point.wheel_travel = a.wheel_travel + share * (b.wheel_travel - a.wheel_travel);
+  point.turned = a.turned + share * (b.turned - a.turned);
   return point;
 }
 

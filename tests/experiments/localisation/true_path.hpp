@@ -13,6 +13,8 @@ struct PathPoint {
   double heading = 0.0;                            // rad, of the robot's x in W; never wrapped along a path
   double speed = 0.0;                              // m/s, forward
   double turn_rate = 0.0;                          // rad/s, counter-clockwise
+  double wheel_travel = 0.0;                       // m, of a wheel on average, both directions added up; 0: not told
+  double turned = 0.0;                             // rad, as the wheels tell it, both directions added up
 
   // m in W, of a point fixed at `p_R` on the robot
   Eigen::Vector2d at(const Eigen::Vector2d& p_R) const;

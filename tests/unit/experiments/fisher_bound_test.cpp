@@ -87,6 +87,27 @@ TEST(FisherBound, GrowsAcrossTheWayWithTheHeadingsDrift) {
   EXPECT_NEAR(bound(1, 1), 0.03 * 0.03 * way * way * way / 3.0, 0.01 * bound(1, 1));
 }
 
+TEST(FisherBound, GrowsWithTheWheelsOwnWayInAPivot) {
+  std::vector<PathPoint> points;
+  for (int i = 0; i <= 100; ++i) {
+    PathPoint point;
+    point.time = 0.02 * i;
+    point.heading = point.turned = 0.015 * i;
+    point.wheel_travel = 1.0 + 0.16 * point.turned;
+    points.push_back(point);
+  }
+  BoundInput input = rounds_from(0.0, 1);
+  input.prior = BoundPrior{};
+  input.times = {2.0};
+  EncoderNoise noise = perfect_encoders();
+  noise.heading_drift = 0.14;
+  noise.pivot_wander = 0.02;
+  const Eigen::Matrix4d bound = live_bound(input, TruePath(points), noise).front();
+  EXPECT_NEAR(bound(2, 2), 0.14 * 0.14 * 0.16 * 1.5, 1e-9);
+  EXPECT_NEAR(bound(0, 0), 0.02 * 0.02 * 1.5, 1e-9);
+  EXPECT_NEAR(bound(1, 1), 0.02 * 0.02 * 1.5, 1e-9);
+}
+
 TEST(FisherBound, CannotTellADelayAtConstantSpeed) {
   const TruePath path = straight({-1.0, 0.02}, 0.0, 0.4, 10.0);
   BoundInput input = rounds_from(0.0, 20);

@@ -175,5 +175,40 @@ TEST(EncoderCounters, OfARobotWithoutABaseAreRefused) {
   }
 }
 
+// 2.1 mrad a tick: at 50 Hz a wheel that stops between two of them would pretend a turn of 6 degrees a second.
+TEST(EncoderCounters, TheTicksJitterIsNoTurning) {
+  EncoderCounters counters(base_of(16));
+  Driver driver(16);
+  counters.motion(driver.after(kPeriod, 0, 0));
+  double turning = 0.0;
+  double turn = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const bool even = i % 2 == 0;
+    const auto motion = counters.motion(driver.after(kPeriod, even ? 10 : 11, even ? 11 : 10));
+    turning += motion->turning;
+    turn += std::abs(motion->turn);
+  }
+  EXPECT_NEAR(turning, 0.0, 1e-12);
+  EXPECT_GT(turn, 0.4);
+}
+
+TEST(EncoderCounters, TurningToAndFroAddsUp) {
+  EncoderCounters counters(base_of(16));
+  Driver driver(16);
+  counters.motion(driver.after(kPeriod, 0, 0));
+  double turning = 0.0;
+  double turn = 0.0;
+  for (const int direction : {1, -1}) {
+    for (int i = 0; i < 50; ++i) {
+      const auto motion = counters.motion(driver.after(kPeriod, -5 * direction, 5 * direction));
+      turning += motion->turning;
+      turn += motion->turn;
+    }
+  }
+  const double tick = 2.0 * M_PI * 0.1 / 1000.0 / 0.3;
+  EXPECT_NEAR(turn, 0.0, 1e-12);
+  EXPECT_NEAR(turning, 2.0 * 500.0 * tick, 3.5 * tick) << "but for the dead band of the first way and of the reversal";
+}
+
 }  // namespace
 }  // namespace markservo::rfid_localizer

@@ -103,6 +103,49 @@ TEST(WheelPrediction, HasTheCovarianceOfAMonteCarlo) {
   }
 }
 
+TEST(WheelPrediction, APivotLetsThePlaceWander) {
+  WheelNoise noise = no_noise();
+  noise.pivot_wander = 0.02;
+  Hypothesis one = at(0.0, 0.0, 0.3);
+  advance(one, {0.0, -1.5, 1.0, 0.0, 1.5}, noise);
+  EXPECT_NEAR(one.covariance(kX, kX), 0.02 * 0.02 * 1.5, 1e-12);
+  EXPECT_NEAR(one.covariance(kY, kY), 0.02 * 0.02 * 1.5, 1e-12);
+  EXPECT_EQ(one.covariance(kX, kY), 0.0);
+  EXPECT_EQ(one.covariance(kHeading, kHeading), 0.0);
+  Hypothesis straight = at(0.0, 0.0, 0.3);
+  advance(straight, {0.4, 0.0, 1.0, 0.0, 0.0}, noise);
+  EXPECT_EQ(straight.covariance(kX, kX), 0.0);
+}
+
+// Wheels that run against each other go half the track for each radian, wherever the robot's middle goes.
+TEST(WheelPrediction, WheelsThatDriftMuchDriftInAPivotToo) {
+  WheelNoise noise = no_noise();
+  noise.turn_error = 0.03;
+  noise.drift = 0.14;
+  Hypothesis one = at(0.0, 0.0, 0.0);
+  advance(one, {0.0, 1.5, 1.0, 0.0, 1.5}, noise);
+  EXPECT_NEAR(one.covariance(kHeading, kHeading), 0.14 * 0.14 * 0.16 * 1.5, 1e-12);
+  noise.drift = 0.045;
+  one = at(0.0, 0.0, 0.0);
+  advance(one, {0.0, 1.5, 1.0, 0.0, 1.5}, noise);
+  EXPECT_NEAR(one.covariance(kHeading, kHeading), 0.03 * 0.03 * 1.5, 1e-12) << "others turn as well as track and tyres";
+}
+
+TEST(WheelPrediction, TheSharesAddUpToTheCovariance) {
+  WheelNoise noise = no_noise();
+  noise.drift = 0.1;
+  noise.pivot_wander = 0.02;
+  for (const WheelMotion& motion : {WheelMotion{0.3, 0.0, 1.0, 0.0, 0.0}, WheelMotion{0.0, 1.5, 1.0, 0.0, 1.5},
+                                    WheelMotion{-0.2, 0.5, 1.0, 0.0, 0.5}}) {
+    Hypothesis one = at(0.0, 0.0, 0.4, 0.02);
+    const NoiseShares shares = noise_shares(one.mean, motion, noise);
+    advance(one, motion, noise);
+    const StateCovariance sum =
+        noise.drift * noise.drift * shares.drift + noise.pivot_wander * noise.pivot_wander * shares.pivot_wander;
+    EXPECT_LT((one.covariance - sum).norm(), 1e-15) << motion.turn;
+  }
+}
+
 TEST(WheelPrediction, AnUnknownWayLeavesPlaceAndHeadingOpen) {
   Hypothesis one = at(0.0, 0.0, 0.0);
   advance(one, {0.0, 0.0, 0.5, 0.6}, no_noise());

@@ -43,6 +43,14 @@ TEST_F(BaseSections, OfTheProjectAreAccepted) {
   EXPECT_NEAR(robot.rfid->delay, 0.19, 1e-12);
 }
 
+TEST_F(BaseSections, AWanderThatIsNotStatedIsNone) {
+  EXPECT_EQ(load().base->pivot_wander, 0.0);
+  change("pivot_wander: 0.0", "pivot_wander: 0.02");
+  EXPECT_EQ(load().base->pivot_wander, 0.02);
+  change(", pivot_wander: 0.02", "");
+  EXPECT_EQ(load().base->pivot_wander, 0.0);
+}
+
 TEST_F(BaseSections, MayAllBeAbsent) {
   text_ = text_.substr(0, text_.find("# The mobile base")) + "stop_devices: [arm]\n";
   const RobotDescription robot = load();
@@ -128,6 +136,9 @@ TEST_F(BaseSections, WithAnImpossibleBaseAreRefused) {
   expect_refused("ticks_per_turn: 4096", "ticks_per_turn: 0", "ticks_per_turn");
   expect_refused("counter_bits: 16", "counter_bits: 33", "counter_bits");
   expect_refused("track: 0.32", "track: 0.32\n  trak: 0.32", "base.trak");
+  expect_refused("pivot_wander: 0.0", "pivot_wander: -0.01", "base.odometry.pivot_wander");
+  expect_refused("pivot_wander: 0.0", "pivot_wander: 2.0", "base.odometry.pivot_wander");
+  expect_refused("pivot_wander: 0.0", "pivot_wander: wide", "base.odometry.pivot_wander");
   expect_refused("range: [0.10, 5.0]", "range: [5.0, 0.10]", "range");
 }
 

@@ -185,8 +185,78 @@ TEST(BaseModel, TheHeadingDriftsWithTheRootOfTheWay) {
   }
 }
 
+TEST(BaseModel, ThePlaceWandersWithTheRootOfTheTurning) {
+  BaseModelParameters parameters = ideal();
+  parameters.pivot_wander = 0.02;
+  for (const double seconds : {2.0, 6.0}) {
+    std::vector<double> x, y;
+    double turned = 0.0;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+      BaseModel base(test_base(), parameters, {}, seed);
+      base.command(0.0, -1.5);
+      wait(base, seconds);
+      x.push_back(base.pose().x);
+      y.push_back(base.pose().y);
+      turned = base.turned();
+      EXPECT_NEAR(base.pose().heading, -turned, 1e-9) << "the wheels tell the turn truly";
+    }
+    const double expected = 0.02 * std::sqrt(turned);
+    EXPECT_NEAR(spread(x), expected, 0.15 * expected) << seconds << " s";
+    EXPECT_NEAR(spread(y), expected, 0.15 * expected) << seconds << " s";
+  }
+}
+
+TEST(BaseModel, TheWanderOfAPivotDoesNotDependOnTheStep) {
+  BaseModelParameters parameters = ideal();
+  parameters.pivot_wander = 0.02;
+  std::vector<double> x;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    BaseModel base(test_base(), parameters, {}, seed);
+    base.command(0.0, 1.5);
+    for (int i = 0; i < 200; ++i) base.step(0.01);
+    x.push_back(base.pose().x / std::sqrt(base.turned()));
+  }
+  EXPECT_NEAR(spread(x), 0.02, 0.15 * 0.02);
+}
+
+TEST(BaseModel, DrivingStraightNothingWanders) {
+  BaseModelParameters parameters = ideal();
+  parameters.pivot_wander = 0.1;
+  BaseModel base(test_base(), parameters, {}, 3);
+  base.command(0.5, 0.0);
+  wait(base, 4.0);
+  EXPECT_EQ(base.pose().y, 0.0);
+  EXPECT_EQ(base.turned(), 0.0);
+}
+
+// A world of before is the same world: its other noise comes from streams of its own.
+TEST(BaseModel, WanderChangesNoOtherNoise) {
+  BaseModelParameters parameters;
+  parameters.slip = 0.05;
+  BaseModelParameters wandering = parameters;
+  wandering.pivot_wander = 0.02;
+  BaseModel plain(test_base(), parameters, {}, 11);
+  BaseModel other(test_base(), wandering, {}, 11);
+  for (BaseModel* base : {&plain, &other}) {
+    base->command(0.3, 0.8);
+    wait(*base, 5.0);
+  }
+  EXPECT_EQ(plain.pose().heading, other.pose().heading);
+  EXPECT_EQ(plain.ticks().left, other.ticks().left);
+  EXPECT_EQ(plain.wheel_travel(), other.wheel_travel());
+  EXPECT_NE(plain.pose().x, other.pose().x);
+}
+
+TEST(BaseModel, TellsHowFarItsWheelsWentWhileItPivoted) {
+  BaseModel base = ideal_base();
+  base.command(0.0, 1.0);
+  wait(base, 3.0);
+  EXPECT_NEAR(base.wheel_travel(), 0.5 * test_base().track * base.turned(), 1e-9);
+  EXPECT_NEAR(base.turned(), base.pose().heading, 1e-9);
+}
+
 TEST(BaseModel, StandingStillNothingDrifts) {
-  BaseModel base(test_base(), {0.02, 0.5, 0.2}, {0.1, 0.2, 0.3}, 4);
+  BaseModel base(test_base(), {0.02, 0.5, 0.2, 0.1}, {0.1, 0.2, 0.3}, 4);
   wait(base, 10.0);
   EXPECT_EQ(base.pose().x, 0.1);
   EXPECT_EQ(base.pose().heading, 0.3);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "services/rfid-localizer/wheel_judge.hpp"
+
+namespace markservo::rfid_localizer {
+
+// Which of robot.yaml's numbers is too small, by how much, and which would fit; empty where none is.
+std::string describe(const WheelJudgement& judgement);
+
+// When that is worth a line of its own: the judgement changes with every round.
+class WheelReport {
+ public:
+  // The line, or nothing where what was told last still holds.
+  std::string news(const WheelJudgement& judgement);
+
+ private:
+  WheelJudgement told_;
+};
+
+}  // namespace markservo::rfid_localizer

@@ -1,0 +1,135 @@
+#include "tests/experiments/wander/pivot_drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "services/simulator/random.hpp"
+#include "tests/experiments/localisation/field_box.hpp"
+
+namespace markservo::experiments {
+namespace {
+
+using geometry::PlanePose;
+using simulator::RandomBits;
+
+constexpr std::uint64_t kLegStream = 0xC4;
+constexpr double kAcceleration = 0.6;  // m/s^2, of the wanted speed; the base can do a little more
+
+// Gains of the drive's control. Only stability and small errors matter.
+constexpr double kNatural = 2.5;      // rad/s, of the lateral error's decay, critically damped
+constexpr double kLeastSpeed = 0.15;  // m/s, below which the steering would become violent
+constexpr double kPivotGain = 4.0;    // 1/s
+constexpr double kThere = 0.003;      // m
+constexpr double kTurned = 0.005;     // rad
+
+struct Command {
+  double speed = 0.0;      // m/s
+  double turn_rate = 0.0;  // rad/s
+};
+
+// Follows the legs, one after the other.
+class LegControl {
+ public:
+  LegControl(const PivotDrive& course, const FieldBox& box, std::uint64_t seed)
+      : course_(course), box_(box), bits_(simulator::seed_for(seed, kLegStream, 0)) {
+    start_ = {near_side(0), near_side(1), 0.0};
+    begin_leg({start_.x, start_.y});
+  }
+
+  const PlanePose& start() const { return start_; }
+
+  // The command for the base at `pose`, `time` s after the begin; called every `dt` s.
+  Command command(const PlanePose& pose, double time, double dt) {
+    if (time >= course_.leg_time * (legs_ + 1) && legs_ + 1 < course_.pivots) {
+      ++legs_;
+      pivoting_ = false;
+      begin_leg({pose.x, pose.y});
+    }
+    return pivoting_ ? pivot(pose) : follow(pose, dt);
+  }
+
+ private:
+  double near_side(int axis) { return box_.least[axis] + course_.margin + course_.turning_band * bits_.uniform(); }
+  double far_side(int axis) { return box_.greatest[axis] - course_.margin - course_.turning_band * bits_.uniform(); }
+
+  // To the other side, along x and y in turn.
+  void begin_leg(const Eigen::Vector2d& p_W) {
+    const int axis = legs_ % 2;
+    const bool up = p_W[axis] < box_.middle()[axis];
+    begin_ = p_W;
+    length_ = std::abs((up ? far_side(axis) : near_side(axis)) - p_W[axis]);
+    heading_ = axis == 0 ? (up ? 0.0 : M_PI) : (up ? 0.5 * M_PI : -0.5 * M_PI);
+    const int next = 1 - axis;
+    const bool next_up = p_W[next] < box_.middle()[next];
+    next_heading_ = next == 0 ? (next_up ? 0.0 : M_PI) : (next_up ? 0.5 * M_PI : -0.5 * M_PI);
+  }
+
+  Command follow(const PlanePose& pose, double dt) {
+    const Eigen::Vector2d along(std::cos(heading_), std::sin(heading_));
+    const Eigen::Vector2d from_begin = Eigen::Vector2d(pose.x, pose.y) - begin_;
+    const double left = length_ - along.dot(from_begin);
+    if (left < kThere) {
+      pivoting_ = true;
+      speed_ = 0.0;
+      return {};
+    }
+    const double wanted = std::min(course_.speed, std::sqrt(kAcceleration * left));
+    speed_ = std::min(wanted, speed_ + kAcceleration * dt);
+    const double aside = along.x() * from_begin.y() - along.y() * from_begin.x();
+    const double turn = -kNatural * kNatural / std::max(speed_, kLeastSpeed) * aside -
+                        2.0 * kNatural * geometry::wrapped(pose.heading - heading_);
+    return {speed_, turn};
+  }
+
+  Command pivot(const PlanePose& pose) const {
+    const double missing = geometry::wrapped(next_heading_ - pose.heading);
+    if (std::abs(missing) < kTurned) return {};
+    return {0.0, std::clamp(kPivotGain * missing, -course_.pivot_rate, course_.pivot_rate)};
+  }
+
+  const PivotDrive& course_;
+  FieldBox box_;
+  RandomBits bits_;
+  PlanePose start_;
+  int legs_ = 0;
+  bool pivoting_ = false;
+  double speed_ = 0.0;  // m/s, wanted now
+  Eigen::Vector2d begin_ = Eigen::Vector2d::Zero();
+  double length_ = 0.0;        // m
+  double heading_ = 0.0;       // rad
+  double next_heading_ = 0.0;  // rad
+};
+
+}  // namespace
+
+Drive drive_with_pivots(const robot::RobotDescription& robot, const simulator::BaseRigParameters& parameters,
+                        const PivotDrive& course, std::uint64_t seed) {
+  LegControl control(course, field_box(robot.floor_tags->field(parameters.tag_field)), seed);
+  simulator::BaseRig rig(robot, parameters, control.start(), seed, kEpoch_us);
+  constexpr double dt = static_cast<double>(simulator::BaseRig::kOdometryPeriod_us) * 1e-6;
+  Drive drive;
+  const auto take = [&] {
+    simulator::BaseOutputs outputs = rig.take_due();
+    for (auto& round : outputs.rounds) drive.rounds.push_back(std::move(round));
+    if (!outputs.odometry) return;
+    const simulator::BaseTruth truth = rig.truth();
+    drive.odometry.push_back(*outputs.odometry);
+    drive.truth.push_back({seconds(outputs.odometry->utime),
+                           {truth.pose.x, truth.pose.y},
+                           truth.pose.heading,
+                           truth.speed,
+                           truth.turn_rate,
+                           truth.wheel_travel,
+                           truth.turned});
+    const Command command = control.command(truth.pose, drive.truth.back().time, dt);
+    rig.command(command.speed, command.turn_rate);
+  };
+  take();
+  while (seconds(rig.utime()) < course.leg_time * course.pivots) {
+    rig.step();
+    take();
+  }
+  return drive;
+}
+
+}  // namespace markservo::experiments
