@@ -118,7 +118,7 @@ std::optional<int> MarkDetectorNode::run_alone() {
     LearningParameters learning;
     learning.equalise = parameters_.equalise;
     learning.chroma_min = parameters_.chroma_min;
-    learn_.run(robot_file_, learning);
+    learn_.run(robot_file_, learning, parameters_);
     return bus::kExitStopped;
   }
   if (!picture_.wanted()) return std::nullopt;

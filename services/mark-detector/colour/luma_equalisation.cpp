@@ -49,7 +49,10 @@ LumaShift equalising_shift(const ImageView& left, const ImageView& right, int ro
 
 LumaShift against_darkness(const LumaShift& shift) {
   LumaShift brightening = shift;
-  for (std::int16_t& levels : brightening) levels = std::max<std::int16_t>(levels, 0);
+  for (std::size_t level = 0; level < shift.size(); ++level) {
+    const auto most = static_cast<std::int16_t>((kGreatestLift - 1.0) * static_cast<double>(level));
+    brightening[level] = std::clamp<std::int16_t>(shift[level], 0, most);
+  }
   return brightening;
 }
 

@@ -40,7 +40,14 @@ LumaShift equalising_shift(const LumaHistogram& histogram);
 // the right one than of the left.
 LumaShift equalising_shift(const ImageView& left, const ImageView& right, int rows);
 
-// The shift without what darkens: a mark that is the darkest thing of a bright scene would otherwise drown.
+// How many times brighter than photographed equalisation may make a pixel. A histogram knows order, not light: where
+// most of a picture is dark, it would lift black cloth to more than half of white, and a mark's least value would mean
+// nothing. 2.5 makes good for 0.4 of the light, the least in which marks must be kept, and leaves black things, which
+// reflect a twentieth of what white does, below 0.15.
+inline constexpr double kGreatestLift = 2.5;
+
+// The shift without what darkens, for a mark that is the darkest thing of a bright scene would otherwise drown, and
+// without what lifts a luma Y above kGreatestLift Y. The brightest channel V is Y or more, so V is lifted no further.
 LumaShift against_darkness(const LumaShift& shift);
 
 }  // namespace markservo::mark_detector

@@ -10,6 +10,7 @@
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/colour/colour_overlap.hpp"
 #include "services/mark-detector/learning/file_replacement.hpp"
+#include "services/mark-detector/learning/learning_check.hpp"
 #include "services/mark-detector/learning/robot_file_edit.hpp"
 #include "services/mark-detector/picture/picture.hpp"
 #include "services/mark-detector/picture/picture_file.hpp"
@@ -43,11 +44,12 @@ void require_inside(const cv::Rect& box, const std::string& text, const cv::Mat&
                            std::to_string(image.cols) + " x " + std::to_string(image.rows) + " px");
 }
 
-const robot::MarkDescription& find(const robot::RobotDescription& robot, const std::string& name,
-                                   const std::string& robot_file) {
-  if (const robot::MarkDescription* mark = robot.find_mark(name)) return *mark;
+robot::MarkDescription& find(robot::RobotDescription& robot, const std::string& name, const std::string& robot_file) {
   std::string names;
-  for (const auto& mark : robot.marks) names += (names.empty() ? "" : ", ") + mark.name;
+  for (auto& mark : robot.marks) {
+    if (mark.name == name) return mark;
+    names += (names.empty() ? "" : ", ") + mark.name;
+  }
   throw ConfigurationError("--learn '" + name + "': no such mark in " + robot_file + "; allowed: " + names);
 }
 
@@ -81,9 +83,10 @@ void LearnOptions::check() const {
   }
 }
 
-void LearnOptions::run(const std::string& robot_file, const LearningParameters& parameters) const {
-  const robot::RobotDescription robot = robot::load_robot_description(robot_file);
-  const robot::MarkDescription& mark = find(robot, mark_, robot_file);
+void LearnOptions::run(const std::string& robot_file, const LearningParameters& learning,
+                       const Parameters& detector) const {
+  robot::RobotDescription robot = robot::load_robot_description(robot_file);
+  robot::MarkDescription& mark = find(robot, mark_, robot_file);
   std::vector<cv::Mat> images;  // owns the pixels
   std::vector<LearningPicture> pictures;
   for (std::size_t i = 0; i < images_.size(); ++i) {
@@ -93,15 +96,34 @@ void LearnOptions::run(const std::string& robot_file, const LearningParameters& 
     require_inside(box, box_text, images.back(), images_[i]);
     pictures.push_back({view_of(images.back()), box.x, box.y, box.width, box.height});
   }
-  const LearnedColour learned = learn_colour(pictures, parameters);
+  const LearnedColour learned = learn_colour(pictures, learning);
   if (!learned.failure.empty())
     throw ConfigurationError("--box: " + learned.failure + "; '" + mark_ + "' stays as it is");
 
   replace_file(robot_file, with_colour(read_file(robot_file), robot_file, mark_, learned.interval));
   std::cout << mark_ << ", old: " << to_text(mark.colour) << "\n"
             << mark_ << ", new: " << to_text(learned.interval) << "\n";
+  mark.colour = learned.interval;
+  warn_of_pictures(robot, pictures, learned, detector);
+  warn_of_overlaps(robot);
+}
+
+void LearnOptions::warn_of_pictures(const robot::RobotDescription& robot, const std::vector<LearningPicture>& pictures,
+                                    const LearnedColour& learned, const Parameters& parameters) const {
+  if (!learned.doubt.empty()) std::cerr << "mark-detector: warning: " << mark_ << ": " << learned.doubt << "\n";
+  const MarkDetector detector(robot.marks, parameters);
+  const auto mark = static_cast<std::size_t>(robot.find_mark(mark_) - robot.marks.data());
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const std::string doubt = doubt_about_learning(detector, mark, pictures[i], learned.mark_px2[i]);
+    if (doubt.empty()) continue;
+    std::cerr << "mark-detector: warning: " << mark_ << " in '" << images_[i] << "': " << doubt << "\n";
+  }
+}
+
+void LearnOptions::warn_of_overlaps(const robot::RobotDescription& robot) const {
+  const robot::MarkDescription& mark = *robot.find_mark(mark_);
   for (const auto& other : robot.marks) {
-    if (other.name == mark_ || !overlap(learned.interval, other.colour)) continue;
+    if (other.name == mark_ || !overlap(mark.colour, other.colour)) continue;
     std::cerr << "mark-detector: warning: " << mark_ << " overlaps " << other.name << ", " << to_text(other.colour)
               << ": what has both colours is taken for both\n";
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "services/mark-detector/learning/colour_learning.hpp"
+#include "services/mark-detector/mark_detector.hpp"
 
 namespace CLI {
 class App;
@@ -23,11 +24,16 @@ class LearnOptions {
   // Throws ConfigurationError if the options do not go together.
   void check() const;
 
-  // Measures, writes the file, prints the old and the new interval, and warns on the standard error of marks that are
-  // no longer told apart. Throws ConfigurationError, and the file is as it was.
-  void run(const std::string& robot_file, const LearningParameters& parameters) const;
+  // Measures, writes the file, prints the old and the new interval, and lets the detector look for the mark in the
+  // pictures with it. Warns on the standard error of pictures where it does not find the mark as boxed, and of marks
+  // that are no longer told apart. Throws ConfigurationError, and the file is as it was.
+  void run(const std::string& robot_file, const LearningParameters& learning, const Parameters& detector) const;
 
  private:
+  void warn_of_pictures(const robot::RobotDescription& robot, const std::vector<LearningPicture>& pictures,
+                        const LearnedColour& learned, const Parameters& parameters) const;
+  void warn_of_overlaps(const robot::RobotDescription& robot) const;
+
   std::string mark_;
   std::vector<std::string> boxes_;
   std::vector<std::string> images_;

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "common/robot/robot_description.hpp"
 #include "services/mark-detector/colour/hue.hpp"
+#include "services/mark-detector/learning/learning_check.hpp"
+#include "tests/scenes/learning_draws.hpp"
 #include "tests/unit/mark-detector/synthetic_scene.hpp"
 
 namespace markservo::mark_detector {
@@ -91,6 +96,103 @@ TEST(ColourLearning, SaysWhyABoxHasNoHue) {
 TEST(ColourLearning, RefusesAMarkTooPaleToBeToldFromAWall) {
   const Colour pale_orange{205.0, 215.0, 228.0};
   EXPECT_NE(learn(picture_of(pale_orange, kGrey), 45, 30, 30, 30).failure.find("too pale"), std::string::npos);
+}
+
+scenes::GlossyBall blue_ball_before_a_bluish_wall(double highlight_share) {
+  scenes::GlossyBall ball;
+  ball.body = bgr_of(215.0, 0.8, 190.0);
+  ball.wall = bgr_of(205.0, 0.3, 190.0);
+  ball.to_lamp = {0.3, -0.3, std::sqrt(0.82)};
+  ball.highlight_share = highlight_share;
+  return ball;
+}
+
+const std::vector<robot::MarkDescription> kOneMark(1);
+
+TEST(ColourLearning, KeepsTheWallOutBehindAGlossyBall) {
+  for (const double highlight : {0.0, 0.01, 0.03, 0.08, 0.1}) {
+    const scenes::LearningDraw draw =
+        scenes::learn_from(blue_ball_before_a_bluish_wall(highlight), {4, -5}, kOneMark, 0, 1);
+    EXPECT_EQ(draw.failure + draw.warning, "") << highlight;
+    EXPECT_GT(draw.learned.saturation_min, 0.35) << highlight;
+    EXPECT_GT(draw.overlap, 0.8) << highlight;
+  }
+}
+
+TEST(ColourLearning, FindsBallsBeforeWallsOfNearHue) {
+  constexpr int kDraws = 20;
+  int good = 0;
+  for (const scenes::LearningDraw& draw : scenes::draw_learning(kOneMark, 0, kDraws, 501)) {
+    good += draw.overlap >= 0.8 ? 1 : 0;
+    EXPECT_TRUE(draw.overlap >= 0.5 || !draw.failure.empty() || !draw.warning.empty()) << draw.seed;
+  }
+  EXPECT_GE(good, 19);
+}
+
+TEST(ColourLearning, TellsAPaleMarkFromAPurerWall) {
+  scenes::GlossyBall ball = blue_ball_before_a_bluish_wall(0.03);
+  std::swap(ball.body, ball.wall);
+  const scenes::LearningDraw draw = scenes::learn_from(ball, {-3, 3}, kOneMark, 0, 1);
+  EXPECT_LT(draw.learned.saturation_max, 0.7);
+  EXPECT_GT(draw.overlap, 0.8);
+}
+
+TEST(ColourLearning, KeepsItsMarginsWhereNothingAroundIsOfNearColour) {
+  const LearningParameters parameters;
+  const double saturation = hsv_of({kOrange.b, kOrange.g, kOrange.r}).saturation;
+  for (const Colour& wall : {kGrey, kBlue}) {
+    const LearnedColour learned = learn(picture_of(kOrange, wall));
+    EXPECT_LE(learned.interval.saturation_min, parameters.saturation_share * saturation);
+    EXPECT_TRUE(holds(learned.interval, hue_of(kOrange), parameters.hue_half_width_deg - 1.0));
+    EXPECT_EQ(learned.interval.saturation_max, 1.0);
+    EXPECT_EQ(learned.doubt, "");
+  }
+}
+
+TEST(ColourLearning, SaysWhenOnlyBrightnessTellsTheMark) {
+  const Colour dark_orange{10.0, 27.5, 50.0};
+  EXPECT_NE(learn(picture_of(kOrange, dark_orange)).doubt.find("only brightness"), std::string::npos);
+}
+
+// Of a detector that has learned from the picture.
+std::string doubt(const Picture& picture, const LearningPicture& example) {
+  const LearnedColour learned = learn_colour({example}, {});
+  EXPECT_EQ(learned.failure, "");
+  std::vector<robot::MarkDescription> marks = kOneMark;
+  marks.front().colour = learned.interval;
+  return doubt_about_learning(MarkDetector(marks, {}), 0, {picture.view(), example.x, example.y, 56, 56},
+                              learned.mark_px2.front());
+}
+
+TEST(LearningCheck, HasNoDoubtAboutAMarkInItsBox) {
+  const Picture picture = picture_of(kOrange, kGrey);
+  EXPECT_EQ(doubt(picture, {picture.view(), 32, 17, 56, 56}), "");
+}
+
+TEST(LearningCheck, SaysThatTheMarkOutgrowsItsBox) {
+  const Picture picture = picture_of(kOrange, kOrange);
+  EXPECT_NE(doubt(picture, {picture.view(), 32, 17, 56, 56}).find("outgrows the box"), std::string::npos);
+}
+
+TEST(LearningCheck, SaysThatSomethingElseIsTakenForTheMark) {
+  Picture picture(320, 90, kGrey);
+  picture.draw({60.0, 45.0, 40.0, 0.3, kOrange, 0.2});
+  picture.fill(200, 10, 70, 70, kOrange);
+  picture.expose(1.0, 3.0);
+  EXPECT_NE(doubt(picture, {picture.view(), 32, 17, 56, 56}).find("200,10,70,70, outside the box"), std::string::npos);
+}
+
+TEST(LearningCheck, SaysThatNothingOrTooLittleIsFound) {
+  const Picture picture = picture_of(kOrange, kGrey);
+  const LearningPicture example{picture.view(), 32, 17, 56, 56};
+  const LearnedColour learned = learn_colour({example}, {});
+  std::vector<robot::MarkDescription> marks = kOneMark;
+  marks.front().colour = {100.0, 140.0, 0.3, 1.0, 0.1, 1.0};
+  EXPECT_NE(doubt_about_learning(MarkDetector(marks, {}), 0, example, learned.mark_px2.front()).find("not found"),
+            std::string::npos);
+  marks.front().colour = learned.interval;
+  EXPECT_NE(doubt_about_learning(MarkDetector(marks, {}), 0, example, 4000.0).find("of it is found"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -133,6 +133,14 @@ TEST_F(LearnCommand, WarnsOfAMarkThatIsNoLongerToldApart) {
   EXPECT_EQ(answer.text.find("overlaps hand"), std::string::npos) << answer.text;
 }
 
+TEST_F(LearnCommand, WarnsOfAMarkThatOutgrowsItsBox) {
+  EXPECT_EQ(run("--learn red_book --box 165,65,70,70 orange.png").text.find("outgrows"), std::string::npos);
+  const Answer answer = run("--learn red_book --box 190,90,20,20 orange.png");
+  EXPECT_EQ(answer.exit_code, 0);
+  EXPECT_NE(answer.text.find("warning: red_book in 'orange.png': it outgrows the box"), std::string::npos)
+      << answer.text;
+}
+
 TEST_F(LearnCommand, RefusesInOneLineAndLeavesTheFile) {
   const std::string before = robot_text();
   const std::array<std::pair<const char*, const char*>, 16> cases{{

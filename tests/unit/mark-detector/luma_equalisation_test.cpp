@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <random>
@@ -54,6 +55,42 @@ TEST(LumaEqualisation, LeavesAnImageOfOneLevelAlone) {
 TEST(LumaEqualisation, BrightensADarkImage) {
   const LumaShift shift = shift_of(random_image(64, 64, 12.0, 4.0, 3));
   EXPECT_GT(12 + shift[12], 90);
+}
+
+// Black cloth of 12 levels over most of the picture, things of up to 200 on the rest.
+LumaHistogram mostly_black_cloth() {
+  LumaHistogram histogram{};
+  for (std::size_t level = 6; level < 18; ++level) histogram[level] = 1000;
+  for (std::size_t level = 18; level < 200; ++level) histogram[level] = 40;
+  return histogram;
+}
+
+TEST(LumaEqualisation, LeavesBlackClothBlackWhereMostOfAPictureIsDark) {
+  const LumaShift shift = equalising_shift(mostly_black_cloth());
+  EXPECT_GT(12 + shift[12], 80);
+  EXPECT_LT(12 + against_darkness(shift)[12], 0.15 * 255.0);
+}
+
+TEST(LumaEqualisation, AgainstDarknessNeverDarkensAndLiftsNothingFurtherThanItsBound) {
+  const LumaShift shift = equalising_shift(mostly_black_cloth());
+  const LumaShift brightening = against_darkness(shift);
+  for (std::size_t level = 0; level < shift.size(); ++level) {
+    EXPECT_GE(brightening[level], 0);
+    EXPECT_LE(brightening[level], (kGreatestLift - 1.0) * double(level));
+    EXPECT_LE(brightening[level], std::max<int>(0, shift[level]));
+  }
+}
+
+TEST(LumaEqualisation, AgainstDarknessMakesGoodForTwoFifthsOfTheLight) {
+  LumaHistogram bright{};
+  LumaHistogram dim{};
+  for (std::size_t level = 10; level < 250; ++level) bright[level] = 10;
+  for (std::size_t level = 4; level < 100; ++level) dim[level] = 25;
+  for (const std::size_t level : {50, 100, 200}) {
+    const std::size_t dimmed = level * 2 / 5;
+    const int restored = static_cast<int>(dimmed) + against_darkness(equalising_shift(dim))[dimmed];
+    EXPECT_NEAR(restored, static_cast<int>(level) + equalising_shift(bright)[level], 4) << level;
+  }
 }
 
 }  // namespace
