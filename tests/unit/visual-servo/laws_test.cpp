@@ -26,6 +26,23 @@ TEST(Convergence, LooksLongerWhereFewFramesCannotTell) {
   EXPECT_EQ(judge(parameters, 0.001, 0, 0.00095, true), Verdict::kOff);
 }
 
+TEST(LawState, KeepsWhatItLearnedOfTheArmForAnotherGoalButNotOfAnotherArm) {
+  const auto robot = the_robot();
+  const JointVector q(0.3, 1.2, -1.2);
+  const Eigen::Vector3d off(0.003, 0.0, 0.0);
+  LawState state;
+  state.sight.corrections = 3;
+  for (int i = 0; i < 10; ++i) {
+    state.sight.bias.observe(*robot.arm, {}, {q, JointVector::Zero(), JointVector::Zero()},
+                             robot::hand_mark(*robot.arm, q) + off);
+  }
+  state.forget();
+  EXPECT_EQ(state.sight.corrections, 0);
+  EXPECT_LT((state.sight.bias.at(*robot.arm, q, JointVector::Zero()) - off).norm(), 0.0005);
+  state.begin_anew();
+  EXPECT_EQ(state.sight.bias.at(*robot.arm, q, JointVector::Zero()), Eigen::Vector3d::Zero());
+}
+
 TEST(Convergence, IsLeftOnlyWellBeyondTheTolerance) {
   const ConvergenceParameters parameters;
   EXPECT_TRUE(stays_converged(parameters, 0.001, 0.0019));
