@@ -24,6 +24,15 @@ TEST(Convergence, LooksLongerWhereFewFramesCannotTell) {
   EXPECT_EQ(judge(parameters, 0.001, 0, 0.0008, false), Verdict::kInDoubt);
   EXPECT_EQ(judge(parameters, 0.001, 0, 0.0008, true), Verdict::kConverged);
   EXPECT_EQ(judge(parameters, 0.001, 0, 0.00095, true), Verdict::kOff);
+  EXPECT_EQ(judge(parameters, 0.0005, 0, 0.0006, true), Verdict::kOff) << "never beyond the goal's tolerance";
+}
+
+TEST(Convergence, CorrectsWhatIsSurelyCoarserThanItsOwnAimThoughTheGoalAllowsIt) {
+  const ConvergenceParameters parameters;
+  for (const int corrections : {0, 1, parameters.fine_corrections - 1}) {
+    EXPECT_EQ(judge(parameters, 0.0015, corrections, 0.00095, true), Verdict::kOff) << corrections;
+  }
+  EXPECT_EQ(judge(parameters, 0.0015, parameters.fine_corrections, 0.00095, true), Verdict::kConverged);
 }
 
 TEST(LawState, KeepsWhatItLearnedOfTheArmForAnotherGoalButNotOfAnotherArm) {
