@@ -12,6 +12,7 @@
 
 #include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "tests/experiments/aim_watch.hpp"
 #include "tests/experiments/bus_counts.hpp"
 #include "tests/experiments/demo_pictures.hpp"
 #include "tests/experiments/demo_watches.hpp"
@@ -64,21 +65,10 @@ std::optional<Pose2> drive_pose(const DemoOptions& demo) {
   return pose;
 }
 
-struct ServoResult {
-  int frames = 0;
-  Eigen::Vector3d error = Eigen::Vector3d::Constant(NAN);  // m, true grip point minus true goal, at the end of SERVO
-};
-
-Eigen::Vector3d grip_error(const SimTruth& truth, const robot::MarkDescription& target) {
-  const auto p_CT = true_mark(truth, target.name);
-  if (!p_CT) return Eigen::Vector3d::Constant(NAN);
-  return vector(truth.p_CG) - (*p_CT + target.grip->p_TG);
-}
-
 struct Course {
   TaskState last;
   double duration = 0.0;  // s of the world's time, START to the task's end
-  ServoResult servo;
+  Aim aim;
   LiftWatch lift;
   std::optional<CarriedBook> carried;  // with --carry
   double moved_at_end = 0.0;           // rad, when all should be at rest
@@ -99,6 +89,7 @@ class Demo {
       : options_(options),
         demo_(demo),
         target_(target),
+        aim_(demo.target, target.grip->p_TG),
         rig_(options.lcm_url, "", demo.lockstep ? Rig::Pace::kLockstep : Rig::Pace::kRealTime),
         latency_(rig_.bus()),
         eyes_(rig_.bus(), [this](std::int64_t seq) { latency_.frame(seq); }),
@@ -132,12 +123,10 @@ class Demo {
       if (task.state != shown || task.attempt != attempt) {
         tell(task);
         picture(task.state);
-        if (shown == TaskState::SERVO) course.servo.error = grip_error(rig_.truth(), target_);
-        if (task.state == TaskState::APPROACH) course.servo.frames = 0;
         shown = task.state;
         attempt = task.attempt;
       }
-      if (task.state == TaskState::SERVO) ++course.servo.frames;
+      aim_.observe(rig_.truth(), task.state);
       stale_motion_.observe(rig_.truth(), task.state);
       touch_.observe(rig_.truth(), task.state);
       drive_.observe(task.state);
@@ -152,6 +141,7 @@ class Demo {
       step();
     }
     course.last = rig_.task();
+    course.aim = aim_.aim();
     watch_the_aftermath(course, before);
     return course;
   }
@@ -212,6 +202,7 @@ class Demo {
   ExperimentOptions options_;
   DemoOptions demo_;
   robot::MarkDescription target_;
+  AimWatch aim_;
   Rig rig_;
   CommandLatency latency_;
   Eyes eyes_;
@@ -243,7 +234,8 @@ Json truth_report(const Course& course, bool truly_lifted) {
 
 Json report_of(const ExperimentOptions& options, const Course& course, bool truly_lifted,
                const std::vector<double>& latency_ms, const StaleMotionWatch& stale_motion, const TouchWatch& touch) {
-  const auto& error = course.servo.error;
+  const auto& error = course.aim.error;
+  const Json error_m = error ? Json{error->x(), error->y(), error->z()} : Json();
   const auto stale_phase = stale_motion.phase();
   return {{"seed", options.seed},
           {"task",
@@ -253,9 +245,7 @@ Json report_of(const ExperimentOptions& options, const Course& course, bool trul
             {"attempts", course.last.attempt},
             {"seconds", course.duration}}},
           {"truth", truth_report(course, truly_lifted)},
-          {"servo",
-           {{"frames", course.servo.frames},
-            {"final_error_m", {number_or_null(error.x()), number_or_null(error.y()), number_or_null(error.z())}}}},
+          {"servo", {{"frames", course.aim.frames}, {"final_error_m", error_m}}},
           {"safety",
            {{"moved_on_stale_input_rad", stale_motion.moved()},
             {"stale_s", stale_motion.longest()},  // longest without a fresh command
@@ -280,8 +270,9 @@ void print_table(const Course& course, bool truly_lifted, const std::vector<doub
                 course.carried->tilt_deg, course.carried->released ? "" : ", still touched by the fingers",
                 course.carried->still ? "" : ", still moving");
   }
-  std::printf("  servo         %d frames, grip point off by %.2f %.2f %.2f mm (x y z)\n", course.servo.frames,
-              1e3 * course.servo.error.x(), 1e3 * course.servo.error.y(), 1e3 * course.servo.error.z());
+  const Eigen::Vector3d error_mm = 1e3 * course.aim.error.value_or(Eigen::Vector3d::Constant(NAN));
+  std::printf("  servo         %d frames, grip point off by %.2f mm: %.2f %.2f %.2f (x y z)\n", course.aim.frames,
+              error_mm.norm(), error_mm.x(), error_mm.y(), error_mm.z());
   std::printf("  frame to command  p50 %.1f ms, p99 %.1f ms\n", percentile(latency_ms, 0.50),
               percentile(latency_ms, 0.99));
 }

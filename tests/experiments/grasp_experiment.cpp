@@ -45,35 +45,43 @@ bool truly_lifted(const SimTruth& truth, const std::string& target) {
   return body != nullptr && held_free(*body);
 }
 
-GraspTrial run_trial(Rig& rig, const GraspCell& cell, const Book& book, double mark_height, std::int64_t seed,
-                     Rig::Settings settings) {
-  settings.emplace_back("books.x", cell.x);
-  settings.emplace_back("books.y", cell.y);
+struct Work {
+  GraspCell cell;
+  robot::MarkDescription target;  // with a grip
+  Eigen::Vector3d p_CT;           // m, expected
+};
+
+GraspTrial run_trial(Rig& rig, const Work& work, std::int64_t seed, Rig::Settings settings) {
+  settings.emplace_back("books.x", work.cell.x);
+  settings.emplace_back("books.y", work.cell.y);
   rig.reset(seed, settings);
   const std::vector<double> shaft_at_reset = rig.truth().shaft;
   rig.unlatch([&] { return rig.task_answered(); });
   TaskCommand start{};
   start.kind = TaskCommand::START;
-  start.target = book.target;
+  start.target = work.target.name;
   start.expected_known = true;
-  start.p_CT_expected.x = cell.x + book.offset;
-  start.p_CT_expected.y = cell.y;
-  start.p_CT_expected.z = mark_height;
+  start.p_CT_expected.x = work.p_CT.x();
+  start.p_CT_expected.y = work.p_CT.y();
+  start.p_CT_expected.z = work.p_CT.z();
   rig.command(start);
 
   GraspTrial trial;
   trial.seed = seed;
+  AimWatch aim(work.target.name, work.target.grip->p_TG);
   for (int frames = 0; frames < kMaxFrames; ++frames) {
     rig.step([&] { return rig.task_answered(); });
+    aim.observe(rig.truth(), rig.task().state);
     if (rig.task().result != TaskState::RESULT_NONE) break;
   }
   const std::int8_t result = rig.task().result;
   trial.reason = rig.task().reason;
+  trial.aim = aim.aim();
   if (result == TaskState::RESULT_LIFTED) {
     trial.result = "lifted";
     for (int frames = 0; frames < kHoldFrames; ++frames) {
       rig.step([&] { return rig.task_answered(); });
-      if (!truly_lifted(rig.truth(), book.target)) {
+      if (!truly_lifted(rig.truth(), work.target.name)) {
         trial.result = "failed";
         trial.reason = "the task says lifted, but in truth the book is not held free in the air";
         break;
@@ -140,9 +148,10 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
   const Rig::Settings settings = parse_settings(set);
   const std::vector<Place> places = choose_places(only);
   for (const auto& place : places) {
-    if (robot.find_mark(place.book.target) == nullptr) {
+    const robot::MarkDescription* target = robot.find_mark(place.book.target);
+    if (target == nullptr || !target->grip) {
       throw ConfigurationError(options.robot_file + ": has no mark '" + place.book.target +
-                               "'; the experiment takes it");
+                               "' with a grip; the experiment takes it");
     }
   }
 
@@ -154,23 +163,23 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
   rig.wait_for_service("simulator", services.start_simulator("JOINT_COMMAND,TASK_STATE"));
   rig.wait_for_world();
 
-  std::vector<std::pair<GraspCell, Book>> work;
+  std::vector<Work> cells_to_try;
   const double mark_height = true_mark(rig.truth(), kBooks[1].target).value().z();
   for (const auto& place : places) {
-    GraspCell cell;
-    cell.x = place.x;
-    cell.y = place.y;
-    cell.book = place.book.label;
-    const Eigen::Vector3d p_CT(place.x + place.book.offset, place.y, mark_height);
-    cell.predicted = robot::name_of(robot::judge_grip(robot, *robot.find_mark(place.book.target), p_CT).verdict);
-    work.emplace_back(cell, place.book);
+    Work work{{}, *robot.find_mark(place.book.target), {place.x + place.book.offset, place.y, mark_height}};
+    work.cell.x = place.x;
+    work.cell.y = place.y;
+    work.cell.book = place.book.label;
+    work.cell.predicted = robot::name_of(robot::judge_grip(robot, work.target, work.p_CT).verdict);
+    cells_to_try.push_back(work);
   }
 
-  ProgressBar progress(static_cast<int>(work.size()) * options.trials);
+  ProgressBar progress(static_cast<int>(cells_to_try.size()) * options.trials);
   std::vector<GraspCell> cells;
-  for (auto& [cell, book] : work) {
+  for (auto& work : cells_to_try) {
+    GraspCell& cell = work.cell;
     for (int i = 0; i < options.trials; ++i) {
-      cell.trials.push_back(run_trial(rig, cell, book, mark_height, options.seed + i, settings));
+      cell.trials.push_back(run_trial(rig, work, options.seed + i, settings));
       progress.advance(std::to_string(static_cast<int>(std::lround(cell.x * 100))) + " cm, " +
                        std::to_string(static_cast<int>(std::lround(cell.y * 100))) + " cm, " + cell.book + ": " +
                        cell.trials.back().result);
@@ -182,7 +191,9 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
     print_beside_the_paper(cells);
     plot_heat_map(cells, options.out);
   }
-  return print_grasp_summary(cells, only.empty() ? kLeastFeasible : 0);
+  const bool as_predicted = print_grasp_summary(cells, only.empty() ? kLeastFeasible : 0);
+  const bool aimed = print_aim(summarise_aim(cells));
+  return as_predicted && (aimed || only.empty());  // the aim's bar is for a place that the hand enters from before it
 }
 
 }  // namespace

@@ -10,11 +10,19 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "tests/experiments/statistics.hpp"
+
 namespace markservo::experiments {
 namespace {
 
+using Json = nlohmann::json;
+
 // Refused is still: the hold keeps the joints where they are, within a servo's deadband.
 constexpr double kStill = 0.004;  // rad
+
+// The fingers have 12 mm of room on each side; what is worse than this is not noise.
+constexpr double kAimMeanBar = 0.0005;  // m
+constexpr double kAimP95Bar = 0.0008;   // m
 
 // Success in % (paper, table 3): rows X = -10, -5, 0, 5, 10 cm, books L, C, R; columns Y = 35, 30, 25, 20, 15 cm.
 constexpr int kPaper[15][5] = {{0, 100, 100, 100, 0},   {0, 0, 0, 0, 0},         {0, 0, 0, 0, 0},          //
@@ -56,16 +64,42 @@ int GraspCell::as_predicted() const {
   }));
 }
 
-void write_grasp_json(const std::vector<GraspCell>& cells, const std::string& folder) {
-  nlohmann::json list = nlohmann::json::array();
+AimSummary summarise_aim(const std::vector<GraspCell>& cells) {
+  std::vector<double> errors;
+  std::vector<double> frames;
+  AimSummary aim;
   for (const auto& cell : cells) {
-    nlohmann::json trials = nlohmann::json::array();
     for (const auto& trial : cell.trials) {
+      if (!trial.aim.error) continue;
+      errors.push_back(trial.aim.error->norm());
+      frames.push_back(trial.aim.frames);
+      aim.error_bias += *trial.aim.error;
+    }
+  }
+  aim.trials = static_cast<int>(errors.size());
+  if (errors.empty()) return aim;
+  aim.error_bias /= static_cast<double>(errors.size());
+  aim.error_mean = mean(errors);
+  aim.error_p95 = percentile(errors, 0.95);
+  aim.error_max = maximum(errors);
+  aim.frames_mean = mean(frames);
+  aim.frames_max = maximum(frames);
+  return aim;
+}
+
+void write_grasp_json(const std::vector<GraspCell>& cells, const std::string& folder) {
+  Json list = Json::array();
+  for (const auto& cell : cells) {
+    Json trials = Json::array();
+    for (const auto& trial : cell.trials) {
+      const auto& error = trial.aim.error;
       trials.push_back({{"seed", trial.seed},
                         {"result", trial.result},
                         {"reason", trial.reason},
                         {"arm_touched", trial.arm_touched},
                         {"touched", trial.touched},
+                        {"servo_frames", trial.aim.frames},
+                        {"grip_error_m", error ? Json{error->x(), error->y(), error->z()} : Json()},
                         {"shaft_moved_rad", trial.shaft_moved}});
     }
     list.push_back({{"x_m", cell.x},
@@ -74,7 +108,16 @@ void write_grasp_json(const std::vector<GraspCell>& cells, const std::string& fo
                     {"predicted", cell.predicted},
                     {"trials", trials}});
   }
-  std::ofstream(std::filesystem::path(folder) / "grasp.json") << nlohmann::json{{"cells", list}}.dump(2) << "\n";
+  const AimSummary aim = summarise_aim(cells);
+  const Json summary{{"trials", aim.trials},
+                     {"error_mean_m", aim.error_mean},
+                     {"error_p95_m", aim.error_p95},
+                     {"error_max_m", aim.error_max},
+                     {"error_bias_m", {aim.error_bias.x(), aim.error_bias.y(), aim.error_bias.z()}},
+                     {"frames_mean", aim.frames_mean},
+                     {"frames_max", aim.frames_max}};
+  std::ofstream(std::filesystem::path(folder) / "grasp.json")
+      << Json{{"aim", summary}, {"cells", list}}.dump(2) << "\n";
 }
 
 void print_beside_the_paper(const std::vector<GraspCell>& cells) {
@@ -135,6 +178,19 @@ void plot_heat_map(const std::vector<GraspCell>& cells, const std::string& folde
   if (std::system(("gnuplot '" + script.string() + "'").c_str()) != 0) {
     std::printf("no heat map: gnuplot did not run on %s\n", script.c_str());
   }
+}
+
+bool print_aim(const AimSummary& aim) {
+  if (aim.trials == 0) return true;
+  const bool met = aim.error_mean <= kAimMeanBar && aim.error_p95 <= kAimP95Bar;
+  const Eigen::Vector3d bias_mm = 1e3 * aim.error_bias;
+  std::printf(
+      "grip point from its goal when the fingers begin to close, %d trials: mean %.2f mm, p95 %.2f mm, maximum %.2f mm "
+      "(mean %.2f mm, p95 %.2f mm: %s), on the average %.2f %.2f %.2f mm (x y z); frames of servoing: mean %.1f, "
+      "maximum %.0f\n",
+      aim.trials, 1e3 * aim.error_mean, 1e3 * aim.error_p95, 1e3 * aim.error_max, 1e3 * kAimMeanBar, 1e3 * kAimP95Bar,
+      met ? "met" : "missed", bias_mm.x(), bias_mm.y(), bias_mm.z(), aim.frames_mean, aim.frames_max);
+  return met;
 }
 
 bool print_grasp_summary(const std::vector<GraspCell>& cells, int least_feasible) {

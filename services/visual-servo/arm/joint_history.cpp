@@ -1,6 +1,7 @@
 #include "services/visual-servo/arm/joint_history.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace markservo::visual_servo {
 namespace {
@@ -8,6 +9,8 @@ namespace {
 constexpr std::int64_t kKept_us = 1'000'000;
 constexpr std::int64_t kAhead_us = 10'000;  // one interval of joint states: what a picture may be ahead of the newest
 constexpr std::int64_t kGap_us = 300'000;   // without a joint state for so long, the arm may have been moved unseen
+constexpr std::int64_t kSpan_us = 30'000;   // over which a speed is told
+constexpr double kMoving = 0.02;            // rad/s; slower is rounding
 constexpr double kLeapFactor = 2.0;         // of the servo's own speed
 constexpr double kLeapAllowance = 0.1;      // rad, for samples that share a time stamp
 
@@ -49,6 +52,22 @@ JointVector JointHistory::extrapolated(std::int64_t utime) const {
   const std::int64_t later = std::min(utime - last.utime, kAhead_us);
   return last.position +
          (last.position - before.position) * (seconds_between(0, later) / seconds_between(before.utime, last.utime));
+}
+
+JointVector JointHistory::speed(std::int64_t utime) const {
+  return (at(utime) - at(utime - kSpan_us)) / seconds_between(0, kSpan_us);
+}
+
+JointVector JointHistory::directions(std::int64_t utime) const {
+  JointVector directions = JointVector::Zero();
+  for (std::int64_t t = utime; t > samples_.front().utime; t -= kSpan_us) {
+    const JointVector speed_then = speed(t);
+    for (int i = 0; i < robot::kNumJoints; ++i) {
+      if (directions[i] == 0.0 && std::abs(speed_then[i]) > kMoving) directions[i] = speed_then[i] > 0.0 ? 1.0 : -1.0;
+    }
+    if ((directions.array() != 0.0).all()) break;
+  }
+  return directions;
 }
 
 std::optional<std::int64_t> JointHistory::near_since(const JointVector& position, double tolerance) const {

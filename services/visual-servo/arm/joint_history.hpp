@@ -26,6 +26,13 @@ class JointHistory {
   // added after it. Requires !empty().
   JointVector at(std::int64_t utime) const;
 
+  // How fast the joints came to where they were at `utime`, rad/s. Requires !empty().
+  JointVector speed(std::int64_t utime) const;
+
+  // The direction, -1 or 1, in which each joint moved last until `utime`; 0 where it rested for as long as the history
+  // goes back. Requires !empty().
+  JointVector directions(std::int64_t utime) const;
+
   // The first utime since which every sample has been within `tolerance` (rad) of `position`; nothing when the newest
   // is not. Requires !empty().
   std::optional<std::int64_t> near_since(const JointVector& position, double tolerance) const;

@@ -139,7 +139,7 @@ void ServoStateMachine::advance_time(const PoseSample& pose, State& state) const
 void ServoStateMachine::adopt_joints(State& state) const {
   state.command.adopt(state.joints.newest());
   state.gripper.adopt(arm_.gripper, state.joints.newest());
-  state.law.forget();
+  state.law.begin_anew();
 }
 
 std::string ServoStateMachine::why_stale(const PoseSample& pose, const State& state) const {

@@ -20,8 +20,11 @@ double tolerance_of(const ConvergenceParameters& parameters, double stated) {
 Verdict judge(const ConvergenceParameters& parameters, double tolerance, int corrections, double error,
               bool many_frames) {
   const double fine = fine_error(parameters, tolerance, corrections);
-  if (error <= fine || (many_frames && error <= tolerance - parameters.sure)) return Verdict::kConverged;
-  if (!many_frames && error <= fine + parameters.doubt) return Verdict::kInDoubt;
+  if (error <= fine) return Verdict::kConverged;
+  if (!many_frames) return error <= fine + parameters.doubt ? Verdict::kInDoubt : Verdict::kOff;
+  // What is not surely coarser than the aim is not worth a correction, where the goal allows it.
+  const double allowed = std::min(tolerance, fine + parameters.sure);
+  if (error <= allowed) return Verdict::kConverged;
   return Verdict::kOff;
 }
 

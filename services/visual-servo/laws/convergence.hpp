@@ -11,7 +11,7 @@ struct ConvergenceParameters {
   double fine_part = 0.4;          // of the goal's tolerance is aimed at, when that is more
   int fine_corrections = 4;        // after so many the goal's tolerance will do
   double doubt = 0.0003;           // m above what is aimed at: four frames cannot tell, so more are averaged
-  double sure = 0.0001;            // m below the goal's tolerance, with which that average meets it
+  double sure = 0.0002;            // m above what is aimed at, from where their average tells: 3 sigma of eight frames
   double leave_factor = 2.0;       // x tolerance: a converged goal is left behind when the error exceeds this
   double leave_margin = 0.0008;    // m above the tolerance, at least
 };

@@ -11,8 +11,14 @@ struct LawState {
   SightState sight;
   PaperState paper;
 
-  // To be called for another goal, and when the arm is taken up anew.
-  void forget() { *this = LawState(); }
+  // To be called when the arm is taken up anew.
+  void begin_anew() { *this = LawState(); }
+  // To be called for another goal. What was learned of the arm by sight stays true.
+  void forget() {
+    const KinematicBias bias = sight.bias;
+    begin_anew();
+    sight.bias = bias;
+  }
   // To be called when the pictures are of another writer: what was learned by sight is forgotten. The paper's law
   // learns nothing.
   void forget_pictures() { sight = SightState(); }

@@ -104,12 +104,6 @@ void correct(const Frame& frame, const Eigen::Vector3d& error, SightState& state
   state.phase = Phase::kBackOff;
 }
 
-// How fast the joints came to where they were at the exposure, rad/s: what they trail behind comes of the past.
-JointVector speed_at(const JointHistory& joints, std::int64_t utime) {
-  constexpr std::int64_t kSpan_us = 30'000;
-  return (joints.at(utime) - joints.at(utime - kSpan_us)) / seconds_between(0, kSpan_us);
-}
-
 void settle(const Frame& frame, SightState& state, LawAnswer& answer) {
   if (!rests(frame, frame.input.sighting.utime)) return;
   const SightParameters& parameters = frame.parameters;
@@ -161,16 +155,16 @@ LawAnswer ServoBySight::step(const LawInput& input, LawState& law_state) const {
   SightState& state = law_state.sight;
   const Sighting& sighting = input.sighting;
   const JointVector& q_command = input.command.position();
+  const JointMotion joints{sighting.q_exposure, input.joints.speed(sighting.utime),
+                           input.joints.directions(sighting.utime)};
+  state.bias.observe(arm_, parameters_.bias, joints, sighting.p_CM);
   const Frame frame{arm_,
                     parameters_,
                     input,
                     q_command,
-                    seen_grip_point(arm_, sighting.q_exposure, sighting.p_CM),
+                    seen_grip_point(arm_, state.bias.shafts(sighting.q_exposure), sighting.p_CM),
                     input.p_CG_goal(),
                     tolerance_of(parameters_.convergence, input.goal.tolerance)};
-  state.bias.observe(arm_, parameters_.bias, sighting.q_exposure, speed_at(input.joints, sighting.utime),
-                     sighting.p_CM);
-
   LawAnswer answer;
   answer.error = frame.p_CG - frame.p_CG_goal;
   const Eigen::Vector3d error_to_come =

@@ -9,11 +9,11 @@
 namespace markservo::visual_servo {
 namespace {
 
-constexpr double kMoving = 0.02;  // rad/s; slower is rounding
-
 double squared(double sigma) {
   return sigma * sigma;
 }
+
+constexpr int kPlay = 5;  // among the states
 
 using Observation = Eigen::Matrix<double, 3, 8>;
 
@@ -31,7 +31,7 @@ Observation observation(const robot::ArmDescription& arm, const robot::JointVect
   h.leftCols<3>().setIdentity();
   h.col(3) = robot::grip_pose(arm, {q[0], q[1], 0.0}).linear().col(1);
   h.col(4) = robot::grip_pose(arm, q).linear().col(1);
-  h.col(5) = -hand_velocity(arm, q, directions);
+  h.col(kPlay) = -hand_velocity(arm, q, directions);
   h.col(6) = -hand_velocity(arm, q, speed);
   h.col(7) = -hand_velocity(arm, q, speed.cwiseProduct(speed.cwiseAbs()));
   return h;
@@ -49,19 +49,18 @@ void KinematicBias::begin(const KinematicBiasParameters& parameters) {
 }
 
 void KinematicBias::observe(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
-                            const robot::JointVector& q_exposure, const robot::JointVector& speed,
-                            const Eigen::Vector3d& p_CM) {
+                            const JointMotion& joints, const Eigen::Vector3d& p_CM) {
   if (!begun_) begin(parameters);
   for (int i = 0; i < robot::kNumJoints; ++i) {
-    if (std::abs(speed[i]) > kMoving) directions_[i] = speed[i] > 0.0 ? 1.0 : -1.0;
+    if (joints.directions[i] != 0.0) directions_[i] = joints.directions[i];
   }
   covariance_.diagonal().head<3>().array() += squared(parameters.offset_drift);
-  const Observation h = observation(arm, q_exposure, directions_, speed);
+  const Observation h = observation(arm, joints.q, directions_, joints.speed);
   const double variance = squared(parameters.sight_sigma) + squared(parameters.clock_sigma * h.col(6).norm());
   const auto expected = [&]() -> Eigen::Matrix3d {
     return h * covariance_ * h.transpose() + variance * Eigen::Matrix3d::Identity();
   };
-  const Eigen::Vector3d seen = kinematic_bias(arm, q_exposure, p_CM);
+  const Eigen::Vector3d seen = kinematic_bias(arm, joints.q, p_CM);
   const Eigen::Vector3d surprise = seen - h * state_;
   const bool contradicts = surprise.norm() > parameters.surprise &&
                            surprise.dot(expected().inverse() * surprise) > squared(parameters.surprise_sigmas);
@@ -77,7 +76,14 @@ void KinematicBias::observe(const robot::ArmDescription& arm, const KinematicBia
 
 Eigen::Vector3d KinematicBias::at(const robot::ArmDescription& arm, const robot::JointVector& q,
                                   const robot::JointVector& directions) const {
-  return observation(arm, q, directions, robot::JointVector::Zero()) * state_;
+  // The mark shifts as the grip point does where offset and links are off, but not where the shafts lag: they turn both
+  // about the joints, and the grip point is farther out.
+  const Observation h = observation(arm, q, robot::JointVector::Zero(), robot::JointVector::Zero());
+  return h * state_ - robot::grip_point_jacobian(arm, q) * directions * state_[kPlay];
+}
+
+robot::JointVector KinematicBias::shafts(const robot::JointVector& q) const {
+  return q - state_[kPlay] * directions_;
 }
 
 }  // namespace markservo::visual_servo

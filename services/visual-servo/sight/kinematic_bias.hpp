@@ -27,17 +27,27 @@ struct KinematicBiasParameters {
   double surprise_sigmas = 7.0;
 };
 
+// What the joints say of themselves at a frame's exposure.
+struct JointMotion {
+  robot::JointVector q;           // rad
+  robot::JointVector speed;       // rad/s, by which they came there
+  robot::JointVector directions;  // in which each moved last, -1 or 1; 0: not known, as it was
+};
+
 class KinematicBias {
  public:
-  // Takes one frame: the hand mark's centre `p_CM` (m) with the joints at its exposure (rad) and the speeds by which
-  // they came there (rad/s).
-  void observe(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
-               const robot::JointVector& q_exposure, const robot::JointVector& speed, const Eigen::Vector3d& p_CM);
+  // Takes one frame: the hand mark's centre `p_CM` (m) with the joints at its exposure.
+  void observe(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters, const JointMotion& joints,
+               const Eigen::Vector3d& p_CM);
 
   // To be added to the kinematic grip point (m, in C) of a hand at rest in posture `q`, at which its joints arrived in
   // `directions` (each -1 or 1, 0 where nothing is known).
   Eigen::Vector3d at(const robot::ArmDescription& arm, const robot::JointVector& q,
                      const robot::JointVector& directions) const;
+
+  // Where the shafts are (rad) when the joints rest at `q` (rad) by their own word, for all that is known of their
+  // play: by these angles the grip point is told from the mark.
+  robot::JointVector shafts(const robot::JointVector& q) const;
 
   // The directions in which the joints moved last, as at() takes them.
   const robot::JointVector& directions() const { return directions_; }

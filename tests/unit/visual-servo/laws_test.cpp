@@ -24,6 +24,32 @@ TEST(Convergence, LooksLongerWhereFewFramesCannotTell) {
   EXPECT_EQ(judge(parameters, 0.001, 0, 0.0008, false), Verdict::kInDoubt);
   EXPECT_EQ(judge(parameters, 0.001, 0, 0.0008, true), Verdict::kConverged);
   EXPECT_EQ(judge(parameters, 0.001, 0, 0.00095, true), Verdict::kOff);
+  EXPECT_EQ(judge(parameters, 0.0005, 0, 0.0006, true), Verdict::kOff) << "never beyond the goal's tolerance";
+}
+
+TEST(Convergence, CorrectsWhatIsSurelyCoarserThanItsOwnAimThoughTheGoalAllowsIt) {
+  const ConvergenceParameters parameters;
+  for (const int corrections : {0, 1, parameters.fine_corrections - 1}) {
+    EXPECT_EQ(judge(parameters, 0.0015, corrections, 0.00095, true), Verdict::kOff) << corrections;
+  }
+  EXPECT_EQ(judge(parameters, 0.0015, parameters.fine_corrections, 0.00095, true), Verdict::kConverged);
+}
+
+TEST(LawState, KeepsWhatItLearnedOfTheArmForAnotherGoalButNotOfAnotherArm) {
+  const auto robot = the_robot();
+  const JointVector q(0.3, 1.2, -1.2);
+  const Eigen::Vector3d off(0.003, 0.0, 0.0);
+  LawState state;
+  state.sight.corrections = 3;
+  for (int i = 0; i < 10; ++i) {
+    state.sight.bias.observe(*robot.arm, {}, {q, JointVector::Zero(), JointVector::Zero()},
+                             robot::hand_mark(*robot.arm, q) + off);
+  }
+  state.forget();
+  EXPECT_EQ(state.sight.corrections, 0);
+  EXPECT_LT((state.sight.bias.at(*robot.arm, q, JointVector::Zero()) - off).norm(), 0.0005);
+  state.begin_anew();
+  EXPECT_EQ(state.sight.bias.at(*robot.arm, q, JointVector::Zero()), Eigen::Vector3d::Zero());
 }
 
 TEST(Convergence, IsLeftOnlyWellBeyondTheTolerance) {

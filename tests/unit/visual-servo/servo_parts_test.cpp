@@ -50,6 +50,25 @@ TEST(JointHistory, KnowsSinceWhenTheArmIsThere) {
   EXPECT_FALSE(history.near_since({0.06, 0.0, 0.0}, 1e-3));
 }
 
+TEST(JointHistory, KnowsHowFastTheJointsCame) {
+  JointHistory history;
+  for (int i = 0; i <= 10; ++i) history.add(sample_at(i * 10'000, 0.003 * i), kServoSpeed);
+  EXPECT_NEAR(history.speed(85'000)[0], 0.3, 1e-9);
+}
+
+TEST(JointHistory, KnowsTheLastDirectionOfAJointThatRests) {
+  JointHistory history;
+  // Up for 0.1 s, down for 0.1 s, then at rest but for its reading's last digit.
+  for (int i = 0; i <= 60; ++i) {
+    const double yaw = i <= 10 ? 0.01 * i : std::max(0.2 - 0.01 * i, 0.0);
+    history.add(sample_at(i * 10'000, yaw + (i % 2 == 0 ? 0.0 : 0.0001)), kServoSpeed);
+  }
+  EXPECT_EQ(history.directions(80'000), JointVector(1.0, 0.0, 0.0));
+  EXPECT_EQ(history.directions(600'000), JointVector(-1.0, 0.0, 0.0));
+  for (int i = 61; i <= 200; ++i) history.add(sample_at(i * 10'000, 0.0), kServoSpeed);
+  EXPECT_EQ(history.directions(2'000'000), JointVector::Zero()) << "longer ago than the history goes back";
+}
+
 TEST(StillTarget, AveragesNoiseAway) {
   StillTarget target;
   for (int i = 0; i < 30; ++i) target.observe({}, {i % 2 == 0 ? 0.0002 : -0.0002, 0.25, 0.0}, kCovariance);
@@ -109,7 +128,7 @@ TEST(KinematicBias, LearnsWhereTheArmStandsAndHowLongItsLinksAre) {
   KinematicBiasParameters parameters;
   for (int i = 0; i < 60; ++i) {
     const JointVector q(0.5 - 0.01 * i, 1.5 - 0.01 * i, -1.8 + 0.02 * i);
-    bias.observe(*robot.arm, parameters, q, JointVector(-0.3, -0.3, 0.6), robot::hand_mark(truth, q));
+    bias.observe(*robot.arm, parameters, {q, {-0.3, -0.3, 0.6}, {-1.0, -1.0, 1.0}}, robot::hand_mark(truth, q));
   }
   const JointVector ahead(-0.2, 0.85, -0.5);  // further on, never seen
   const Eigen::Vector3d expected = robot::grip_point(truth, ahead) - robot::grip_point(*robot.arm, ahead);
@@ -129,12 +148,31 @@ TEST(KinematicBias, IsNotSpoiltByShaftsThatTrailBehindAMovingArm) {
     q += kFrame_s * speed;
     const JointVector directions = frame < 1 ? JointVector::Zero() : JointVector(1.0, -1.0, 1.0);
     const JointVector trailing = kPlay * directions + 0.004 * speed + 0.005 * speed.cwiseProduct(speed.cwiseAbs());
-    bias.observe(*robot.arm, {}, q, speed, robot::hand_mark(*robot.arm, q - trailing));
+    bias.observe(*robot.arm, {}, {q, speed, directions}, robot::hand_mark(*robot.arm, q - trailing));
   }
   EXPECT_EQ(bias.directions(), JointVector(1.0, -1.0, 1.0));
   const Eigen::Vector3d expected =
       robot::grip_point(*robot.arm, q - kPlay * bias.directions()) - robot::grip_point(*robot.arm, q);
   EXPECT_LT((bias.at(*robot.arm, q, bias.directions()) - expected).norm(), 0.0003);
+}
+
+TEST(KinematicBias, KnowsByWhichAngleTheShaftsTrailOnceAJointHasTurned) {
+  const auto robot = the_robot();
+  constexpr double kPlay = 0.005;  // rad
+  KinematicBias bias;
+  const auto rest_at = [&](const JointVector& q, const JointVector& directions) {
+    for (int i = 0; i < 6; ++i) {
+      bias.observe(*robot.arm, {}, {q, JointVector::Zero(), directions},
+                   robot::hand_mark(*robot.arm, q - kPlay * directions));
+    }
+  };
+  rest_at({0.3, 1.2, -1.2}, {-1.0, -1.0, 1.0});
+  EXPECT_EQ(bias.directions(), JointVector(-1.0, -1.0, 1.0));
+  rest_at({0.3, 1.2, -1.2}, {1.0, -1.0, 1.0});
+  const JointVector q(0.3, 1.2, -1.2);
+  EXPECT_LT((bias.shafts(q) - (q - kPlay * JointVector(1.0, -1.0, 1.0))).cwiseAbs().maxCoeff(), 0.001);
+  rest_at(q, JointVector::Zero());
+  EXPECT_EQ(bias.directions(), JointVector(1.0, -1.0, 1.0)) << "what is not known stays as it was";
 }
 
 TEST(ResolvedRate, LimitsShortenTheStepAndKeepItsDirection) {

@@ -59,6 +59,22 @@ INSTANTIATE_TEST_SUITE_P(Servos, ResolvedRate,
                                          Bar{kBacklash, 150, 0.0015}, Bar{kEdgeBacklash, 150, 0.0015},
                                          Bar{kHomeBacklash, 150, 0.0015}));
 
+class Grasp : public testing::TestWithParam<ServoFaults> {};
+
+TEST_P(Grasp, IsAimedFinerThanItsToleranceWhateverTheDeadband) {
+  const auto robot = the_robot();
+  SimulatorSettings settings;
+  settings.servos = GetParam();
+  const Summary summary = summarise(run_grasps(robot, Parameters(), settings, 6));
+  std::cout << row("grasp", settings, summary) << '\n';
+  EXPECT_EQ(summary.converged, summary.trials);
+  EXPECT_LE(summary.error_mean, 0.0005);
+  EXPECT_LE(summary.error_p95, 0.0008);
+  EXPECT_LE(summary.y_overshoot, 0.003);
+}
+
+INSTANTIATE_TEST_SUITE_P(Servos, Grasp, testing::Values(kIdeal, kEdge, kHome));
+
 TEST(PaperLaw, RunsBesideForComparison) {
   const auto robot = the_robot();
   Parameters parameters;

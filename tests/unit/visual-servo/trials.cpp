@@ -34,6 +34,12 @@ std::vector<Eigen::Vector3d> starts(const robot::ArmDescription& arm, const Eige
   return found;
 }
 
+// One goal: the grip point so far before the target's (m, along y), and its tolerance (m; 0: the servo's own).
+struct Stage {
+  double standoff = 0.0;
+  double tolerance = 0.0;
+};
+
 Output step_once(ArmSimulator& arm, const ServoStateMachine& machine, State& state) {
   const PoseSample pose = arm.expose();
   for (const auto& sample : arm.take_joint_states()) machine.observe(sample, state);
@@ -48,26 +54,31 @@ Output step_once(ArmSimulator& arm, const ServoStateMachine& machine, State& sta
 }
 
 Trial run(const robot::RobotDescription& robot, const ServoStateMachine& machine, const SimulatorSettings& settings,
-          const Eigen::Vector3d& start, const Eigen::Vector3d& goal_point, std::uint64_t seed) {
+          const std::vector<Stage>& stages, const Eigen::Vector3d& start, const Eigen::Vector3d& goal_point,
+          std::uint64_t seed) {
   ArmSimulator arm(robot, settings, seed);
   arm.place(robot::inverse_kinematics(*robot.arm, start, 0.0).q, goal_point - kGripFromTarget);
   State state;
   machine.observe_stop(false, "", state);
   for (int frame = 0; frame < 6; ++frame) step_once(arm, machine, state);  // the stack runs before the goal comes
-  Goal goal;
-  goal.utime = state.joints.newest().utime;
-  goal.session = 1;
-  goal.id = 1;
-  goal.kind = GoalKind::kServo;
-  goal.target = "red_book";
-  goal.p_TG_C = kGripFromTarget;
-  goal.gripper_opening = 0.05;
-  machine.observe(goal, state);
-
   Trial trial;
-  while (trial.frames < kFramesAtMost && !trial.converged) {
-    ++trial.frames;
-    trial.converged = step_once(arm, machine, state).status.state == ServoState::kConverged;
+  std::int64_t id = 0;
+  for (const Stage& stage : stages) {
+    Goal goal;
+    goal.utime = state.joints.newest().utime;
+    goal.session = 1;
+    goal.id = ++id;
+    goal.kind = GoalKind::kServo;
+    goal.target = "red_book";
+    goal.p_TG_C = kGripFromTarget - Eigen::Vector3d(0.0, stage.standoff, 0.0);
+    goal.tolerance = stage.tolerance;
+    goal.gripper_opening = 0.05;
+    machine.observe(goal, state);
+    trial.converged = false;
+    while (trial.frames < kFramesAtMost && !trial.converged) {
+      ++trial.frames;
+      trial.converged = step_once(arm, machine, state).status.state == ServoState::kConverged;
+    }
   }
   trial.final_error = (arm.grip_point() - goal_point).norm();
   trial.y_overshoot = arm.deepest_y() - std::max(goal_point.y(), start.y());
@@ -76,10 +87,8 @@ Trial run(const robot::RobotDescription& robot, const ServoStateMachine& machine
   return trial;
 }
 
-}  // namespace
-
-std::vector<Trial> run_trials(const robot::RobotDescription& robot, const Parameters& parameters,
-                              const SimulatorSettings& settings, int seeds) {
+std::vector<Trial> run_all(const robot::RobotDescription& robot, const Parameters& parameters,
+                           const SimulatorSettings& settings, const std::vector<Stage>& stages, int seeds) {
   const ServoStateMachine machine(robot, parameters);
   std::vector<Trial> trials;
   for (const double x : {0.0, 0.05, 0.10}) {
@@ -87,13 +96,25 @@ std::vector<Trial> run_trials(const robot::RobotDescription& robot, const Parame
       const Eigen::Vector3d goal(x, y, -0.02);
       for (const auto& start : starts(*robot.arm, goal)) {
         for (int seed = 0; seed < seeds; ++seed) {
-          trials.push_back(
-              run(robot, machine, settings, start, goal, 1000 * trials.size() + static_cast<std::uint64_t>(seed)));
+          trials.push_back(run(robot, machine, settings, stages, start, goal,
+                               1000 * trials.size() + static_cast<std::uint64_t>(seed)));
         }
       }
     }
   }
   return trials;
+}
+
+}  // namespace
+
+std::vector<Trial> run_trials(const robot::RobotDescription& robot, const Parameters& parameters,
+                              const SimulatorSettings& settings, int seeds) {
+  return run_all(robot, parameters, settings, {{}}, seeds);
+}
+
+std::vector<Trial> run_grasps(const robot::RobotDescription& robot, const Parameters& parameters,
+                              const SimulatorSettings& settings, int seeds) {
+  return run_all(robot, parameters, settings, {{0.04, 0.004}, {0.0, 0.0015}}, seeds);
 }
 
 Summary summarise(const std::vector<Trial>& trials) {
