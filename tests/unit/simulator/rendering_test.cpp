@@ -109,8 +109,9 @@ TEST(Rendering, MarksAreDrawnWhereTheTruthProjects) {
 // How bright and how far apart a mark's pixels are, well inside it.
 cv::Scalar deviation_within(World& world, const std::string& name) {
   const robot::RobotDescription robot = test_robot();
-  const ImagePair images = renderer().render(world);
-  for (const auto& mark : world.truth().marks) {
+  const WorldTruth truth = world.truth();
+  const ImagePair images = renderer().render(world.physics());
+  for (const auto& mark : truth.marks) {
     if (mark.name != name) continue;
     const auto at = geometry::project(robot.cameras.stereo, mark.p_CM);
     const int half = static_cast<int>(0.3 * robot.find_mark(name)->size * robot.cameras.stereo.fx / mark.p_CM.y());
