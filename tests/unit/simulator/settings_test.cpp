@@ -83,8 +83,8 @@ TEST(Settings, OnesOfAPartStandTogetherInTheList) {
     const std::string part = setting.name.substr(0, setting.name.find('.'));
     if (parts.empty() || parts.back() != part) parts.push_back(part);
   }
-  EXPECT_EQ(parts, (std::vector<std::string>{"books", "image", "light", "servo", "calibration", "arm", "gripper",
-                                             "base", "rfid", "sonar", "obstacle", "frames", "faults"}));
+  EXPECT_EQ(parts, (std::vector<std::string>{"books", "marks", "image", "light", "servo", "calibration", "arm",
+                                             "gripper", "base", "rfid", "sonar", "obstacle", "frames", "faults"}));
 }
 
 TEST(Settings, AreSetByName) {
