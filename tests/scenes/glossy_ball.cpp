@@ -14,10 +14,12 @@ constexpr int kPerSide = 4;  // points of a pixel at which coverage is asked, a 
 // Of the picture's pixel (u, v) by the ball.
 double coverage(const GlossyBall& ball, int u, int v) {
   int covered = 0;
-  for (int k = 0; k < kPerSide * kPerSide; ++k) {
-    const double du = u - 0.5 + (k % kPerSide + 0.5) / kPerSide - ball.u;
-    const double dv = v - 0.5 + (k / kPerSide + 0.5) / kPerSide - ball.v;
-    covered += std::hypot(du, dv) <= ball.radius ? 1 : 0;
+  for (int j = 0; j < kPerSide; ++j) {
+    const double dv = v - 0.5 + (j + 0.5) / kPerSide - ball.v;
+    for (int i = 0; i < kPerSide; ++i) {
+      const double du = u - 0.5 + (i + 0.5) / kPerSide - ball.u;
+      covered += std::hypot(du, dv) <= ball.radius ? 1 : 0;
+    }
   }
   return covered / double(kPerSide * kPerSide);
 }

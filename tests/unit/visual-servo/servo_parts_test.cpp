@@ -45,14 +45,14 @@ TEST(JointHistory, PassesOverWhatIsNotNewer) {
 
 TEST(JointHistory, KnowsSinceWhenTheArmIsThere) {
   JointHistory history;
-  for (int i = 0; i <= 10; ++i) history.add(sample_at(i * 10'000, std::min(0.01 * i, 0.05)), kServoSpeed);
+  for (int i = 0; i <= 10; ++i) history.add(sample_at(std::int64_t{10'000} * i, std::min(0.01 * i, 0.05)), kServoSpeed);
   EXPECT_EQ(history.near_since({0.05, 0.0, 0.0}, 1e-3), 50'000);
   EXPECT_FALSE(history.near_since({0.06, 0.0, 0.0}, 1e-3));
 }
 
 TEST(JointHistory, KnowsHowFastTheJointsCame) {
   JointHistory history;
-  for (int i = 0; i <= 10; ++i) history.add(sample_at(i * 10'000, 0.003 * i), kServoSpeed);
+  for (int i = 0; i <= 10; ++i) history.add(sample_at(std::int64_t{10'000} * i, 0.003 * i), kServoSpeed);
   EXPECT_NEAR(history.speed(85'000)[0], 0.3, 1e-9);
 }
 
@@ -61,11 +61,11 @@ TEST(JointHistory, KnowsTheLastDirectionOfAJointThatRests) {
   // Up for 0.1 s, down for 0.1 s, then at rest but for its reading's last digit.
   for (int i = 0; i <= 60; ++i) {
     const double yaw = i <= 10 ? 0.01 * i : std::max(0.2 - 0.01 * i, 0.0);
-    history.add(sample_at(i * 10'000, yaw + (i % 2 == 0 ? 0.0 : 0.0001)), kServoSpeed);
+    history.add(sample_at(std::int64_t{10'000} * i, yaw + (i % 2 == 0 ? 0.0 : 0.0001)), kServoSpeed);
   }
   EXPECT_EQ(history.directions(80'000), JointVector(1.0, 0.0, 0.0));
   EXPECT_EQ(history.directions(600'000), JointVector(-1.0, 0.0, 0.0));
-  for (int i = 61; i <= 200; ++i) history.add(sample_at(i * 10'000, 0.0), kServoSpeed);
+  for (int i = 61; i <= 200; ++i) history.add(sample_at(std::int64_t{10'000} * i, 0.0), kServoSpeed);
   EXPECT_EQ(history.directions(2'000'000), JointVector::Zero()) << "longer ago than the history goes back";
 }
 
