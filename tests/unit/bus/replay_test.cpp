@@ -72,6 +72,31 @@ TEST_F(Replay, HandlesEveryEventEvenOfALatestSubscription) {
   EXPECT_EQ(events("out.lcm").size(), 50U);
 }
 
+TEST_F(Replay, ReadsALogWhateverItsPathIsCalled) {
+  const std::string log = "mode=walk.lcm";
+  std::filesystem::copy(path("in.lcm"), path(log));
+  BusParameters parameters = from_log("out.lcm");
+  parameters.urls.in = "file://" + path(log) + "?speed=0";
+  int heard = 0;
+  {
+    Bus bus(parameters);
+    bus.on_latest(channels::kJointState, [&heard](const JointState& /*state*/) { ++heard; });
+    bus.spin();
+  }
+  EXPECT_EQ(heard, 50);
+  EXPECT_EQ(std::filesystem::file_size(path(log)), std::filesystem::file_size(path("in.lcm")));
+}
+
+TEST(BusUrl, TellsByItsParametersAloneWhetherALogIsWritten) {
+  for (const char* written : {"file://x?mode=w", "file://x?speed=0&mode=w", "file://x?mode=r&mode=w"}) {
+    EXPECT_TRUE(is_written_file(written)) << written;
+  }
+  for (const char* read : {"file:///mode=w/x", "file://x?mode=r", "file://x?mode=walk", "file://x?xmode=w",
+                           "file://x?mode=w&mode=r", "udpm://?mode=w"}) {
+    EXPECT_FALSE(is_written_file(read)) << read;
+  }
+}
+
 TEST_F(Replay, WritesTheSameBytesTwice) {
   run_through("first.lcm");
   run_through("second.lcm");
