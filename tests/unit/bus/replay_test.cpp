@@ -7,6 +7,7 @@
 #include <fstream>
 #include <lcm/lcm-cpp.hpp>
 
+#include "common/bus/log_not_written.hpp"
 #include "tests/unit/bus/bus_fixture.hpp"
 
 namespace markservo::bus {
@@ -149,6 +150,22 @@ TEST_F(Replay, SaysThatALogCannotBeWritten) {
                   " cannot be written: No such file or directory; allowed: a file in a folder that can be "
                   "written");
   }
+}
+
+TEST_F(Replay, EndsWhereItsLogTakesNoMore) {
+  BusParameters parameters = from_log("");
+  parameters.urls.out = "file:///dev/full?mode=w";
+  Bus bus(parameters);
+  int heard = 0;
+  bus.on_latest(channels::kJointState, [&](const JointState& /*state*/) {
+    ++heard;
+    const std::string much(1'000'000, 'x');
+    bus.publish_raw("RAW", much.data(), much.size());
+  });
+  bus.spin();
+  EXPECT_LE(heard, 2) << "what else it would do is in vain";
+  EXPECT_EQ(bus.status().channels[0].refused, 0) << "no fault of the message's";
+  EXPECT_THROW(bus.finish(), LogNotWritten);
 }
 
 TEST_F(Replay, WritesNoHeartbeat) {
