@@ -58,7 +58,9 @@ TEST(PlayedChannels, AreUnlistedOnesOnlyWhenNamed) {
   EXPECT_EQ(fate_of("MOTOR_COMMAND", named("MOTOR_\\w+")), Fate::kPlayed);
   EXPECT_EQ(fate_of("TARGET_POSE", named("MOTOR_\\w+")), Fate::kNotNamed);
   EXPECT_EQ(fate_of("MOTOR_COMMAND", all()), Fate::kUnlisted) << "nobody knows what it moves";
-  EXPECT_EQ(fate_of("MOTOR_COMMAND", named(".*")), Fate::kUnlisted) << "that is no name";
+  for (const char* no_name : {".*", "\\w+", "\\S+", "[A-Z_]+"}) {
+    EXPECT_EQ(fate_of("MOTOR_COMMAND", named(no_name)), Fate::kUnlisted) << no_name;
+  }
   EXPECT_EQ(fate_of("MOTOR_COMMAND", all_of(".*")), Fate::kPlayed) << "all of everything";
   EXPECT_EQ(fate_of(kLcmSelfTest, {}), Fate::kNotNamed) << "in every recording: not worth a word";
 }
@@ -149,6 +151,14 @@ TEST(PlayPlan, HasNoMessageOfAnotherSystemThatIsNotNamed) {
     EXPECT_EQ(lines[1], "left out: 2 messages on TARGET_POSE of a type that is not ours (--channel NAME plays them)");
   }
   EXPECT_EQ(plan_of(views(events), named("TARGET_POSE|MOTOR.*"), reflection::TypeCatalog::ours()).events.size(), 4U);
+}
+
+TEST(PlayPlan, SaysWhichOfAnotherSystemsChannelsItPlays) {
+  const auto events = others();
+  const auto& types = reflection::TypeCatalog::ours();
+  EXPECT_EQ(others_played_text(plan_of(views(events), named("TARGET_POSE|MOTOR.*"), types)),
+            "also plays MOTOR_COMMAND (not in the table of channels: another system's, which may move a robot)");
+  EXPECT_EQ(others_played_text(plan_of(views(events), named("TARGET_POSE"), types)), "");
 }
 
 TEST(PlayPlan, HasNoMessageThatTheBusWouldLose) {
