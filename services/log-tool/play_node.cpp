@@ -118,7 +118,8 @@ void tell_order(const TimeSteps& steps) {
     say("the log's time goes " + disorder_text(steps) + ". Its order is kept" +
         (steps.jumps > 0 ? ", without waiting where the time jumps" : "") + "; --sort plays it by time");
   } else if (steps.jumps > 0) {
-    say("the log's time jumps on by days " + std::to_string(steps.jumps) + " times: no waiting there");
+    say("the log's time jumps on by days " + std::to_string(steps.jumps) + (steps.jumps == 1 ? " time" : " times") +
+        ": no waiting there");
   }
 }
 
