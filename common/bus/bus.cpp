@@ -13,6 +13,7 @@
 #include "common/bus/clock_tolerance.hpp"
 #include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
+#include "common/bus/log_not_written.hpp"
 #include "common/bus/network.hpp"
 #include "common/bus/session.hpp"
 #include "common/logging/log.hpp"
@@ -114,12 +115,20 @@ std::int64_t Bus::event_time(const Outgoing& message) const {
 bool Bus::send(const Outgoing& message) {
   Connection& out = network_->out();
   if (out.publish({message.channel, message.data, message.size, event_time(message)}, steady_clock::now())) return true;
-  // A network comes back. A log that cannot be written is a failure, and a tool does not wait.
-  if (is_file(out.url()) || !parameters_.waits_for_network) {
-    throw std::runtime_error("publish on " + message.channel +
-                             ": the bus refused the message: " + out.refused_sends(steady_clock::now()).reason);
+  const std::string why = out.refused_sends(steady_clock::now()).reason;
+  if (is_file(out.url())) {
+    stopped_ = true;  // a log with a hole is of no use: nothing more is done for it
+    throw LogNotWritten(file_path(out.url()), why);
+  }
+  // A network comes back, but a tool does not wait.
+  if (!parameters_.waits_for_network) {
+    throw std::runtime_error("publish on " + message.channel + ": the bus refused the message: " + why);
   }
   return false;
+}
+
+void Bus::finish() {
+  network_->out().finish();
 }
 
 void Bus::every(milliseconds period, std::function<void()> task) {

@@ -117,6 +117,8 @@ class Bus final : private SubscriptionHost, private MessageSink {
     }
   }
   void stop() { stopped_ = true; }
+  // Ends a log that is written in place of a bus. Throws LogNotWritten unless all that was published is in it.
+  void finish();
   // Readable when messages wait: for who waits on more than this bus, with poll(2), and then calls poll(0).
   // Another one after the network was gone; -1 while it is.
   int descriptor() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace markservo::bus {
@@ -16,9 +17,19 @@ struct BusUrls {
 inline bool is_file(const std::string& url) {
   return url.rfind("file://", 0) == 0;
 }
-// A log to be written, in place of one to be read.
+// The value of a URL's parameter, the last of its name as liblcm has it; empty where it has none.
+inline std::string parameter_of(const std::string& url, const std::string& name) {
+  std::string value;
+  for (std::size_t at = url.find('?'); at != std::string::npos; at = url.find('&', at + 1)) {
+    const std::size_t begin = at + 1 + name.size() + 1;
+    if (url.compare(at + 1, name.size() + 1, name + "=") == 0) value = url.substr(begin, url.find('&', begin) - begin);
+  }
+  return value;
+}
+
+// A log to be written, in place of one to be read. What its path is called tells nothing: it would be emptied.
 inline bool is_written_file(const std::string& url) {
-  return is_file(url) && url.find("mode=w") != std::string::npos;
+  return is_file(url) && parameter_of(url, "mode") == "w";
 }
 inline bool is_udpm(const std::string& url) {
   return url.rfind("udpm://", 0) == 0;

@@ -10,6 +10,7 @@
 
 #include "common/bus/bus_unavailable.hpp"
 #include "common/bus/bus_url.hpp"
+#include "common/bus/log_not_written.hpp"
 #include "common/bus/network_check.hpp"
 
 namespace markservo::bus {
@@ -132,6 +133,12 @@ bool Connection::publish(const Outgoing& message, Time now) {
 bool Connection::put(const Outgoing& message) {
   if (log_) return log_->write(message);
   return lcm_->publish(message.channel, message.data, static_cast<unsigned int>(message.size)) >= 0;
+}
+
+void Connection::finish() {
+  if (!is_file(url_)) return;
+  if (refused_.total > 0) throw LogNotWritten(file_path(url_), refused_.reason);
+  if (log_ && !log_->flush()) throw LogNotWritten(file_path(url_), std::strerror(errno));
 }
 
 int Connection::handle(milliseconds timeout) {

@@ -46,6 +46,9 @@ class Connection {
   // False if the network refuses the message, which is counted; it is not kept. Whatever is sent next is tried again.
   bool publish(const Outgoing& message, Time now);
 
+  // Of a log: throws LogNotWritten unless all that was published is written. Nothing for a bus.
+  void finish();
+
   // As lcm::LCM::handleTimeout(): above 0 if a message was handled, below when it cannot be read.
   int handle(std::chrono::milliseconds timeout);
 

@@ -1,6 +1,7 @@
 #include "common/bus/log_output.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 #include "common/bus/bus_unavailable.hpp"
@@ -20,6 +21,10 @@ bool LogOutput::write(const Outgoing& message) {
   event.datalen = static_cast<int>(message.size);
   event.data = const_cast<void*>(message.data);  // only read
   return file_.writeEvent(&event) == 0;
+}
+
+bool LogOutput::flush() {
+  return std::fflush(file_.getFilePtr()) == 0;
 }
 
 }  // namespace markservo::bus

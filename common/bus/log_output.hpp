@@ -18,6 +18,8 @@ class LogOutput {
 
   // False if the disk does not take it.
   bool write(const Outgoing& message);
+  // Hands the disk what is still held back. False, and errno, if it does not take that.
+  bool flush();
 
  private:
   lcm::LogFile file_;

@@ -52,7 +52,8 @@ std::optional<Health> Network::health(Connection::Time now) const {
   }
   const RefusedSends refused = out_->refused_sends(now);
   if (refused.lately == 0) return std::nullopt;
-  return Health{kWaiting, "the network refuses " + refused.channel + ": " + refused.reason};
+  const std::string who = is_file(out_->url()) ? "log " + file_path(out_->url()) : "the network";
+  return Health{kWaiting, who + " refuses " + refused.channel + ": " + refused.reason};
 }
 
 }  // namespace markservo::bus

@@ -16,15 +16,6 @@ namespace {
 constexpr const char* kBufferKey = "recv_buf_size";
 constexpr std::int64_t kBufferToAsk = 4'194'304;  // bytes, as the default URL does
 
-// The value of a URL's parameter; empty where it has none.
-std::string parameter_of(const std::string& url, const std::string& name) {
-  for (std::size_t at = url.find('?'); at != std::string::npos; at = url.find('&', at + 1)) {
-    const std::size_t begin = at + 1 + name.size() + 1;
-    if (url.compare(at + 1, name.size() + 1, name + "=") == 0) return url.substr(begin, url.find('&', begin) - begin);
-  }
-  return {};
-}
-
 // The URL with that parameter, in place of one of its name.
 std::string with_parameter(const std::string& url, const std::string& name, const std::string& value) {
   std::string result = url.substr(0, url.find('?'));

@@ -109,6 +109,7 @@ int serve(const ServiceInfo& info, Service& service, const CommandLine& command_
   // One that waits for something has said so.
   if (bus.state() == kStarting) bus.set_state("ready");
   service.run(bus);
+  bus.finish();
   return kExitStopped;
 }
 

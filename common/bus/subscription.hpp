@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "common/bus/channel_counters.hpp"
+#include "common/bus/log_not_written.hpp"
 #include "common/bus/safe_decode.hpp"
 #include "common/messages/message_rules.hpp"
 
@@ -135,6 +136,8 @@ class TypedSubscription final : public MessageSubscription {
     try {
       handler_(message);
       note_worked_on();
+    } catch (const LogNotWritten&) {
+      // No fault of the message's: the bus stops, and says so at its end.
     } catch (const std::exception& error) {
       refuse(error.what());
     }

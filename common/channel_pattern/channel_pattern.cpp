@@ -2,6 +2,8 @@
 
 #include <glib.h>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace markservo {
@@ -9,6 +11,10 @@ namespace {
 
 constexpr const char* kAllowed =
     "; allowed: a channel's name, or a Perl-compatible regular expression of the whole name";
+
+// No channel is called so; of different characters, first letters and lengths, as channels' names are.
+constexpr std::array<const char*, 7> kNobodysNames = {
+    "\x01 no channel is called so \x02", "ZQX_NO_CHANNEL", "zqx9", "r1/ZQX", "QXJ7", "Xqz-no.channel", "qxjzqxjzqxj"};
 
 [[noreturn]] void complain(const std::string& text, GError* error) {
   const std::string message = error->message;
@@ -42,14 +48,21 @@ bool ChannelPattern::matches(const std::string& name) const {
   if (name.find('\0') != std::string::npos) return false;
   if (regex_ == nullptr) return name == text_;
   GError* error = nullptr;
-  const bool does = g_regex_match_full(regex_.get(), name.data(), static_cast<gssize>(name.size()), 0,
-                                       static_cast<GRegexMatchFlags>(0), nullptr, &error) != 0;
+  GMatchInfo* info = nullptr;
+  g_regex_match_full(regex_.get(), name.data(), static_cast<gssize>(name.size()), 0, static_cast<GRegexMatchFlags>(0),
+                     &info, &error);
+  const std::unique_ptr<GMatchInfo, decltype(&g_match_info_unref)> match(info, g_match_info_unref);
   if (error != nullptr) complain(text_, error);
-  return does;
+  // Verbs such as (*ACCEPT) end a match before the \z that is put behind the pattern, \K begins it late.
+  gint begin = -1;
+  gint end = -1;
+  return g_match_info_fetch_pos(info, 0, &begin, &end) != 0 && begin == 0 &&
+         static_cast<std::size_t>(end) == name.size();
 }
 
 bool ChannelPattern::takes_any_name() const {
-  return matches("\x01 no channel is called so \x02");
+  if (regex_ == nullptr) return false;
+  return std::any_of(kNobodysNames.begin(), kNobodysNames.end(), [this](const char* name) { return matches(name); });
 }
 
 }  // namespace markservo

@@ -140,6 +140,7 @@ nlohmann::ordered_json info_json(const LogSet& logs, const LogSummary& summary) 
   json["non_monotonic"] = summary.steps.late;
   json["steps_back"] = summary.steps.back;
   json["farthest_back_s"] = summary.steps.farthest_back;
+  json["disorder"] = summary.steps.farthest_back > kDisorder_s ? disorder_text(summary.steps) : "";
   json["silences"] = silences_json(summary.steps.silences);
   json["channels"] = nlohmann::ordered_json::array();
   for (const ChannelSummary& channel : summary.channels) {

@@ -4,13 +4,18 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <string_view>
 #include <unordered_map>
 
+#include "services/log-tool/play_choice.hpp"
 #include "services/log-tool/time_steps.hpp"
 
 namespace markservo::log_tool {
 namespace {
+
+// Of the smaller log's messages: below this share a few of the same content tell of no second recording.
+constexpr double kShareTold = 0.05;
 
 struct Span {
   std::int64_t first = 0;  // us
@@ -30,6 +35,7 @@ std::int64_t messages_twice(const std::vector<MergeInput>& inputs) {
   for (std::size_t input = 0; input < inputs.size(); ++input) {
     std::unordered_map<std::size_t, std::int64_t> here;
     for (const Event& event : inputs[input].events) {
+      if (event.channel == kLcmSelfTest) continue;
       const std::hash<std::string_view> hash;
       const std::size_t content = hash(event.channel) * 31 + hash(event.data.text());
       const std::int64_t times = ++here[content];
@@ -39,6 +45,16 @@ std::int64_t messages_twice(const std::vector<MergeInput>& inputs) {
     for (const auto& [content, times] : here) heard[content] = {input, times};
   }
   return twice;
+}
+
+std::int64_t messages_of_smallest(const std::vector<MergeInput>& inputs) {
+  std::int64_t smallest = std::numeric_limits<std::int64_t>::max();
+  for (const MergeInput& input : inputs) {
+    const auto messages = std::count_if(input.events.begin(), input.events.end(),
+                                        [](const Event& event) { return event.channel != kLcmSelfTest; });
+    if (messages > 0) smallest = std::min<std::int64_t>(smallest, messages);
+  }
+  return smallest;
 }
 
 }  // namespace
@@ -61,11 +77,10 @@ Merge merged(const std::vector<MergeInput>& inputs) {
   }
   merge.events = sorted_by_time(std::move(merge.events));
   merge.twice = messages_twice(inputs);
-  if (merge.twice > 0) {
+  if (static_cast<double>(merge.twice) > kShareTold * static_cast<double>(messages_of_smallest(inputs))) {
     merge.remarks.push_back(
-        fmt::format("{} messages stand in more than one of the logs (one bus, recorded twice?): all "
-                    "are kept",
-                    merge.twice));
+        fmt::format("{} in more than one of the logs (one bus, recorded twice?): all are kept",
+                    merge.twice == 1 ? "1 message stands" : fmt::format("{} messages stand", merge.twice)));
   }
   return merge;
 }

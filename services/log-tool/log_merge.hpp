@@ -14,14 +14,14 @@ struct MergeInput {
 };
 
 struct Merge {
-  std::vector<Event> events;         // of all inputs, by time; of one time in the inputs' order
-  std::int64_t late = 0;             // events that were out of order within their input
-  std::int64_t twice = 0;            // messages of one channel and content that another input has too
+  std::vector<Event> events;  // of all inputs, by time; of one time in the inputs' order
+  std::int64_t late = 0;      // events that were out of order within their input
+  std::int64_t twice = 0;     // messages of one channel and content that another input has too, liblcm's own apart
   std::vector<std::string> remarks;  // what may be wrong with it, a line each
 };
 
 // Puts logs together by their events' times, or sorts one. Nothing is left out. Remarks where two logs do not overlap
-// in time (their clocks may differ), and where both have the same messages (two recordings of one bus).
+// in time (their clocks may differ), and where more than a few messages are the same (two recordings of one bus).
 Merge merged(const std::vector<MergeInput>& inputs);
 
 }  // namespace markservo::log_tool

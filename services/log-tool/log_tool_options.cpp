@@ -112,9 +112,9 @@ void Commands::add_player(const Actions& actions) {
   };
   bus::add_lcm_url(add, options_.play.url, "The bus").check(no_live_bus, "udpm:// or tcpq://");
   add.option("--speed", options_.play.speed, "Times the recorded pace").within(1e-6, 1e6).show_default();
-  add.option(
-      "--channel", options_.play.channels,
-      "These channels only (PATTERN), also such as the table of channels does not have; '.*' names none of those");
+  add.option("--channel", options_.play.channels,
+             "These channels only (PATTERN), also such as the table of channels does not have; '.*' or '\\w+' names "
+             "none of those");
   add.flag("--sort", options_.play.sort, "By the events' times, in place of the log's order");
   add.option("--longest-gap", options_.play.longest_gap,
              "Where nothing was recorded wait so long at most, s of the log")

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <markservo/channels.hpp>
 
 #include "common/reflection/message_value.hpp"
@@ -128,6 +129,14 @@ PlayPlan plan_of(const std::vector<Event>& events, const PlayWishes& wishes, con
     }
   }
   return plan;
+}
+
+std::string others_played_text(const PlayPlan& plan) {
+  std::vector<std::string> others;
+  std::copy_if(plan.played.begin(), plan.played.end(), std::back_inserter(others),
+               [](const std::string& channel) { return entry_of(channel) == nullptr; });
+  if (others.empty()) return {};
+  return "also plays " + names_of(others) + " (not in the table of channels: another system's, which may move a robot)";
 }
 
 std::vector<std::string> left_out_text(const PlayPlan& plan) {

@@ -27,8 +27,8 @@ struct PlayWishes {
   std::set<std::string> written;           // the channels that somebody writes on the bus
 
   // Another system's commands move its robot, and nobody here knows which they are: what our table of channels does not
-  // have, or a type that is not ours, is played where it is named. A pattern that takes any name ('.*') names nothing
-  // by itself.
+  // have, or a type that is not ours, is played where it is named. A pattern that takes any name ('.*', '\w+')
+  // names nothing by itself.
   bool names_others() const { return channels && (all || !channels->takes_any_name()); }
 };
 
@@ -71,5 +71,8 @@ PlayPlan plan_of(
 // One line, without its end, for each kind of thing left out (kNotNamed apart), with the reason and what plays it;
 // printable ASCII, whatever the log's names are.
 std::vector<std::string> left_out_text(const PlayPlan& plan);
+
+// One such line of the channels that are played although the table of channels does not have them; empty without any.
+std::string others_played_text(const PlayPlan& plan);
 
 }  // namespace markservo::log_tool

@@ -20,6 +20,7 @@
 #include "services/log-tool/play_choice.hpp"
 #include "services/log-tool/play_schedule.hpp"
 #include "services/log-tool/time_steps.hpp"
+#include "services/log-tool/time_walk.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -117,16 +118,22 @@ void tell_order(const TimeSteps& steps) {
     say("the log's time goes " + disorder_text(steps) + ". Its order is kept" +
         (steps.jumps > 0 ? ", without waiting where the time jumps" : "") + "; --sort plays it by time");
   } else if (steps.jumps > 0) {
-    say("the log's time jumps on by days " + std::to_string(steps.jumps) + " times: no waiting there");
+    say("the log's time jumps on by days " + std::to_string(steps.jumps) + (steps.jumps == 1 ? " time" : " times") +
+        ": no waiting there");
   }
+}
+
+double longest_gap_of(const PlayOptions& options) {
+  return options.longest_gap.value_or(std::numeric_limits<double>::infinity());
 }
 
 // What a person should know before it begins: how long it takes, and when nothing will happen.
 void announce(const PlayPlan& plan, const PlayOptions& options) {
-  const auto [first, last] = std::minmax_element(plan.events.begin(), plan.events.end(),
-                                                 [](const Event& a, const Event& b) { return a.utime < b.utime; });
-  say("playing " + duration_text(seconds_apart(first->utime, last->utime)) + " of " +
-      std::to_string(plan.played.size()) + " channels to " + options.url);
+  TimeWalk walk(longest_gap_of(options));
+  for (const Event& event : plan.events) walk.to(event.utime);
+  const bool as_recorded = options.speed == 1.0;
+  say("playing " + duration_text(walk.waited_s()) + " of " + std::to_string(plan.played.size()) + " channels to " +
+      options.url + (as_recorded ? "" : ", in " + duration_text(walk.waited_s() / options.speed)));
   const std::string silences = silences_text(time_steps(plan.events));
   if (silences.empty()) return;
   say("the log has " + silences +
@@ -149,12 +156,13 @@ bool play(const LogSet& logs, const PlayOptions& options) {
     say("the log is damaged: what can be read is played (" + options.log_command + " verify says more)");
   tell_order(time_steps(events));
   for (const std::string& line : left_out_text(plan)) say(line);
+  if (const std::string others = others_played_text(plan); !others.empty()) say(others);
   if (plan.events.empty()) {
     throw std::invalid_argument("no channel to play is in the log; " + options.log_command + " info shows what is");
   }
   if (!options.join) refuse_a_second_writer(plan, wishes, options.url);
   announce(plan, options);
-  PlaySchedule schedule(options.speed, options.longest_gap.value_or(std::numeric_limits<double>::infinity()));
+  PlaySchedule schedule(options.speed, longest_gap_of(options));
   for (const Event& event : plan.events) {
     if (!wait_until(schedule.due_us(event.utime, steady_clock_us()))) break;
     player.send(event);

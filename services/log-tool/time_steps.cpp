@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "services/log-tool/time_walk.hpp"
+
 namespace markservo::log_tool {
 namespace {
 
@@ -20,6 +22,8 @@ TimeSteps time_steps(const std::vector<Event>& events) {
   if (events.empty()) return steps;
   const std::int64_t first = events.front().utime;
   std::int64_t newest = first;
+  TimeWalk walk;
+  walk.to(first);
   for (std::size_t i = 1; i < events.size(); ++i) {
     const std::int64_t before = events[i - 1].utime;
     const double step_s = seconds_apart(before, events[i].utime);
@@ -27,10 +31,10 @@ TimeSteps time_steps(const std::vector<Event>& events) {
     steps.farthest_back = std::max(steps.farthest_back, -seconds_apart(newest, events[i].utime));
     if (events[i].utime < newest) ++steps.late;
     newest = std::max(newest, events[i].utime);
-    if (jumps(step_s)) {
-      ++steps.jumps;
-    } else if (step_s > kSilence_s) {
-      steps.silences.push_back({seconds_apart(first, before), step_s});
+    const TimeWalk::Step step = walk.to(events[i].utime);
+    if (step.jumped) ++steps.jumps;
+    if (step.silent_s > kSilence_s) {
+      steps.silences.push_back({seconds_apart(first, events[i].utime) - step.silent_s, step.silent_s});
     }
   }
   return steps;

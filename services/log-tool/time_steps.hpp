@@ -9,21 +9,11 @@
 
 namespace markservo::log_tool {
 
-// The time goes back by more than this, or on by more than that: a clock was set, or parts stand in the wrong order.
-// The player does not wait there. What is less far back is disorder, as of two loggers.
-inline constexpr double kLargestStepBack_s = 1.0;
-inline constexpr double kLargestGap_s = 86400.0;
-
 // Less out of order is every recording with large messages: their time is their first packet's. Not worth a word.
 inline constexpr double kDisorder_s = 0.1;
 
 // Longer than this nothing was logged at all: worth a word.
 inline constexpr double kSilence_s = 10.0;
-
-// From one event to the next.
-inline bool jumps(double step_s) {
-  return step_s < -kLargestStepBack_s || step_s > kLargestGap_s;
-}
 
 struct Silence {
   double after = 0.0;    // s since the log's first event, as the times of a cut
@@ -34,7 +24,7 @@ struct TimeSteps {
   std::int64_t back = 0;          // events that are earlier than the one before
   double farthest_back = 0.0;     // s that an event is earlier than the newest before it
   std::int64_t late = 0;          // events that are earlier than some event before: what sorting would move
-  std::int64_t jumps = 0;         // where the player does not wait, see jumps()
+  std::int64_t jumps = 0;         // where the player does not wait, see time_walk.hpp
   std::vector<Silence> silences;  // above kSilence_s, without the jumps, in the log's order
 };
 

@@ -5,6 +5,7 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <utility>
 
+#include "common/bus/log_not_written.hpp"
 #include "common/bus/network_check.hpp"
 #include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
@@ -194,6 +195,8 @@ void StereoCameraNode::publish(const RawPair& pair, std::int64_t utime) {
   try {
     publisher_->publish(frame);
     record_.publish();
+  } catch (const bus::LogNotWritten&) {
+    throw;  // no pair's fault
   } catch (const std::exception& error) {
     drop(error.what());
   }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <lcm/lcm-cpp.hpp>
 
+#include "common/bus/log_not_written.hpp"
 #include "tests/unit/bus/bus_fixture.hpp"
 
 namespace markservo::bus {
@@ -72,6 +73,31 @@ TEST_F(Replay, HandlesEveryEventEvenOfALatestSubscription) {
   EXPECT_EQ(events("out.lcm").size(), 50U);
 }
 
+TEST_F(Replay, ReadsALogWhateverItsPathIsCalled) {
+  const std::string log = "mode=walk.lcm";
+  std::filesystem::copy(path("in.lcm"), path(log));
+  BusParameters parameters = from_log("out.lcm");
+  parameters.urls.in = "file://" + path(log) + "?speed=0";
+  int heard = 0;
+  {
+    Bus bus(parameters);
+    bus.on_latest(channels::kJointState, [&heard](const JointState& /*state*/) { ++heard; });
+    bus.spin();
+  }
+  EXPECT_EQ(heard, 50);
+  EXPECT_EQ(std::filesystem::file_size(path(log)), std::filesystem::file_size(path("in.lcm")));
+}
+
+TEST(BusUrl, TellsByItsParametersAloneWhetherALogIsWritten) {
+  for (const char* written : {"file://x?mode=w", "file://x?speed=0&mode=w", "file://x?mode=r&mode=w"}) {
+    EXPECT_TRUE(is_written_file(written)) << written;
+  }
+  for (const char* read : {"file:///mode=w/x", "file://x?mode=r", "file://x?mode=walk", "file://x?xmode=w",
+                           "file://x?mode=w&mode=r", "udpm://?mode=w"}) {
+    EXPECT_FALSE(is_written_file(read)) << read;
+  }
+}
+
 TEST_F(Replay, WritesTheSameBytesTwice) {
   run_through("first.lcm");
   run_through("second.lcm");
@@ -124,6 +150,22 @@ TEST_F(Replay, SaysThatALogCannotBeWritten) {
                   " cannot be written: No such file or directory; allowed: a file in a folder that can be "
                   "written");
   }
+}
+
+TEST_F(Replay, EndsWhereItsLogTakesNoMore) {
+  BusParameters parameters = from_log("");
+  parameters.urls.out = "file:///dev/full?mode=w";
+  Bus bus(parameters);
+  int heard = 0;
+  bus.on_latest(channels::kJointState, [&](const JointState& /*state*/) {
+    ++heard;
+    const std::string much(1'000'000, 'x');
+    bus.publish_raw("RAW", much.data(), much.size());
+  });
+  bus.spin();
+  EXPECT_LE(heard, 2) << "what else it would do is in vain";
+  EXPECT_EQ(bus.status().channels[0].refused, 0) << "no fault of the message's";
+  EXPECT_THROW(bus.finish(), LogNotWritten);
 }
 
 TEST_F(Replay, WritesNoHeartbeat) {

@@ -30,11 +30,15 @@ class OneSetting : public Service {
     if (waits) bus.set_state("waiting", "for work");
     bus.stop();
   }
-  void run(Bus& bus) override { state = bus.status().state; }
+  void run(Bus& bus) override {
+    state = bus.status().state;
+    if (!says.empty()) bus.publish_raw("SAID", says.data(), says.size());
+  }
   double gain = 0.5;
   std::vector<std::string> words;
   int count = 7;
   bool waits = false;
+  std::string says;  // on the bus
   bool started = false;
   std::string state;
 };
@@ -183,6 +187,17 @@ TEST_F(ServiceMain, TakesWholeNumbersAsPeopleWriteThem) {
   EXPECT_EQ(service_.count, -640);
   EXPECT_EQ(run({"--count", "0", "--check"}), kExitStopped) << errors_;
   EXPECT_EQ(service_.count, 0);
+}
+
+// What is small stays in a buffer until the end.
+TEST_F(ServiceMain, FailsInOneLineWhereItsLogIsNotWritten) {
+  for (const std::size_t size : {std::size_t{10}, std::size_t{1'000'000}}) {
+    service_.says = std::string(size, 'x');
+    EXPECT_EQ(run({"--lcm-in", "memq://", "--lcm-out", "file:///dev/full?mode=w"}), kExitFailed) << size;
+    EXPECT_NE(errors_.find("log /dev/full cannot be written: No space left on device; allowed: "), std::string::npos)
+        << errors_;
+    EXPECT_EQ(std::count(errors_.begin(), errors_.end(), '\n'), 1) << errors_;
+  }
 }
 
 TEST_F(ServiceMain, EndsWithThreeWithoutABus) {

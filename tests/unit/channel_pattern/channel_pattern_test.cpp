@@ -37,6 +37,8 @@ TEST(ChannelPattern, TakesWholeNamesOnly) {
   }
   EXPECT_TRUE(takes("A|BC", "BC"));
   EXPECT_FALSE(takes("\\QA", "AB")) << "a quotation that is not ended";
+  EXPECT_TRUE(takes("A1(*ACCEPT)", "A1"));
+  EXPECT_FALSE(takes("A1(*ACCEPT)", "A10")) << "a match that ends itself early";
 }
 
 TEST(ChannelPattern, IsOneChannelWhereThatIsItsName) {
@@ -53,10 +55,11 @@ TEST(ChannelPattern, IsOneChannelWhereThatIsItsName) {
 }
 
 TEST(ChannelPattern, KnowsWhenItNamesNothing) {
-  for (const char* pattern : {".*", ".+", "(?!STEREO_FRAME).*", "[^r].*", ""}) {
-    EXPECT_EQ(ChannelPattern(pattern).takes_any_name(), pattern[0] != '\0') << pattern;
+  for (const char* pattern : {".*", ".+", "(?!STEREO_FRAME).*", "[^r].*", "\\w+", "\\S+", "[A-Z_]+", "[a-z0-9]+",
+                              "(?!Z).*", "\\w+/\\w+", "(r1/)?[[:upper:]]+"}) {
+    EXPECT_TRUE(ChannelPattern(pattern).takes_any_name()) << pattern;
   }
-  for (const char* pattern : {"MOTOR.*", "[A-Z_]+", "STOP"}) {
+  for (const char* pattern : {"MOTOR.*", "MOTOR_\\w+", "CAM\\d", "r1/MOTOR_.*", "STOP", ""}) {
     EXPECT_FALSE(ChannelPattern(pattern).takes_any_name()) << pattern;
   }
 }
@@ -78,6 +81,7 @@ TEST(ChannelPattern, SaysWhatIsNone) {
 TEST(ChannelPattern, SaysWhenItTakesTooLong) {
   const ChannelPattern endless("((a|aa)+)+");
   EXPECT_THROW(endless.matches(std::string(70, 'a') + "b"), std::invalid_argument);
+  EXPECT_THROW(takes("([ab]+)+[^ab]", std::string(50, 'a')), std::invalid_argument);
 }
 
 }  // namespace

@@ -243,6 +243,7 @@ TEST_F(Order, OfALogWhoseSecondHalfStandsFirstIsToldAndMended) {
   EXPECT_EQ(json["steps_back"], 1);
   EXPECT_DOUBLE_EQ(json["farthest_back_s"], 3.9);
   EXPECT_EQ(json["non_monotonic"], 20);
+  EXPECT_EQ(json["disorder"], "1 time back, by 3.9 s: 20 events are out of order");
   const std::string text = run("info " + path("log")).output;
   EXPECT_NE(text.find("time goes 1 time back, by 3.9 s: 20 events are out of order"), std::string::npos) << text;
   EXPECT_EQ(sorted(), payloads_of(events));
@@ -251,7 +252,9 @@ TEST_F(Order, OfALogWhoseSecondHalfStandsFirstIsToldAndMended) {
 TEST_F(Order, OfARecordingWithLargeMessagesIsNotWorthAWord) {
   auto events = two_channels(40);
   events[20].utime -= 150'000;  // 50 ms earlier than the one before
-  EXPECT_EQ(info_of(events)["non_monotonic"], 1) << "programs are told";
+  const auto json = info_of(events);
+  EXPECT_EQ(json["non_monotonic"], 1) << "programs are told";
+  EXPECT_EQ(json["disorder"], "");
   const std::string text = run("info " + path("log")).output;
   EXPECT_EQ(text.find("time goes"), std::string::npos) << text;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <markservo/StopRequest.hpp>
 #include <markservo/channels.hpp>
@@ -58,7 +59,9 @@ TEST(PlayedChannels, AreUnlistedOnesOnlyWhenNamed) {
   EXPECT_EQ(fate_of("MOTOR_COMMAND", named("MOTOR_\\w+")), Fate::kPlayed);
   EXPECT_EQ(fate_of("TARGET_POSE", named("MOTOR_\\w+")), Fate::kNotNamed);
   EXPECT_EQ(fate_of("MOTOR_COMMAND", all()), Fate::kUnlisted) << "nobody knows what it moves";
-  EXPECT_EQ(fate_of("MOTOR_COMMAND", named(".*")), Fate::kUnlisted) << "that is no name";
+  for (const char* no_name : {".*", "\\w+", "\\S+", "[A-Z_]+"}) {
+    EXPECT_EQ(fate_of("MOTOR_COMMAND", named(no_name)), Fate::kUnlisted) << no_name;
+  }
   EXPECT_EQ(fate_of("MOTOR_COMMAND", all_of(".*")), Fate::kPlayed) << "all of everything";
   EXPECT_EQ(fate_of(kLcmSelfTest, {}), Fate::kNotNamed) << "in every recording: not worth a word";
 }
@@ -151,6 +154,14 @@ TEST(PlayPlan, HasNoMessageOfAnotherSystemThatIsNotNamed) {
   EXPECT_EQ(plan_of(views(events), named("TARGET_POSE|MOTOR.*"), reflection::TypeCatalog::ours()).events.size(), 4U);
 }
 
+TEST(PlayPlan, SaysWhichOfAnotherSystemsChannelsItPlays) {
+  const auto events = others();
+  const auto& types = reflection::TypeCatalog::ours();
+  EXPECT_EQ(others_played_text(plan_of(views(events), named("TARGET_POSE|MOTOR.*"), types)),
+            "also plays MOTOR_COMMAND (not in the table of channels: another system's, which may move a robot)");
+  EXPECT_EQ(others_played_text(plan_of(views(events), named("TARGET_POSE"), types)), "");
+}
+
 TEST(PlayPlan, HasNoMessageThatTheBusWouldLose) {
   const std::vector<OwnedEvent> events = {{0, 1, "MAP", std::string(8'000'000, 'x')},
                                           {1, 2, "MAP", std::string(40'000'000, 'x')}};
@@ -208,6 +219,50 @@ TEST(PlaySchedule, BeginsAnewWhereTheLogsTimeJumps) {
   EXPECT_EQ(schedule.due_us(3 * kDay_us, 70), 70) << "on by days";
   EXPECT_EQ(schedule.due_us(std::numeric_limits<std::int64_t>::min(), 80), 80);
   EXPECT_EQ(schedule.due_us(std::numeric_limits<std::int64_t>::max(), 90), 90);
+}
+
+// s from the first event's sending to the last's, where sending takes no time.
+double played_s(const std::vector<std::int64_t>& utimes, double longest_gap = std::numeric_limits<double>::infinity()) {
+  PlaySchedule schedule(1.0, longest_gap);
+  std::int64_t now_us = 0;
+  for (const std::int64_t utime : utimes) now_us = std::max(now_us, schedule.due_us(utime, now_us));
+  return 1e-6 * static_cast<double>(now_us);
+}
+
+double announced_s(const std::vector<std::int64_t>& utimes) {
+  TimeWalk walk;
+  for (const std::int64_t utime : utimes) walk.to(utime);
+  return walk.waited_s();
+}
+
+// Sources in turn, 0.1 s from round to round, each on a clock of its own.
+std::vector<std::int64_t> mixed_clocks(const std::vector<std::int64_t>& ahead_s) {
+  std::vector<std::int64_t> utimes;
+  for (std::int64_t round = 0; round < 12; ++round) {
+    for (const std::int64_t ahead : ahead_s) utimes.push_back(100'000 * round + 1'000'000 * ahead);
+  }
+  return utimes;
+}
+
+TEST(PlaySchedule, DoesNotWaitForEachStepToTheOtherOfTwoClocks) {
+  EXPECT_NEAR(played_s(mixed_clocks({0, 5})), 6.1, 1e-6) << "the first is a gap, for all that is known";
+  EXPECT_NEAR(played_s(mixed_clocks({5, 0})), 1.1, 1e-6);
+  EXPECT_LT(played_s(mixed_clocks({0, 5, 10})), 10.0 + 5.0 + 1.2);
+  EXPECT_NEAR(announced_s(mixed_clocks({0, 5})), 6.1, 1e-6) << "which is announced";
+}
+
+TEST(PlaySchedule, WaitsForPartsInTheWrongOrderAsLongAsTheyTook) {
+  std::vector<std::int64_t> utimes;
+  for (const std::int64_t part : {1, 0, 2}) {
+    for (std::int64_t i = 0; i < 50; ++i) utimes.push_back(100'000'000 * part + 2'000'000 * i);
+  }
+  EXPECT_NEAR(played_s(utimes), 3 * 98.0 + 2.0, 2.1);
+}
+
+TEST(PlaySchedule, ShortensNoDisorder) {
+  std::vector<std::int64_t> utimes;
+  for (std::int64_t i = 0; i <= 20; ++i) utimes.push_back(100'000 * i + (i % 2 == 0 ? 0 : -900'000));
+  EXPECT_NEAR(played_s(utimes, 0.5), 2.0, 1e-6);
 }
 
 TEST(PlaySchedule, ShortensGapsWhereAskedTo) {

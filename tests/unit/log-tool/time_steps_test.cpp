@@ -131,5 +131,28 @@ TEST(Merge, KeepsWhatTwoLoggersHeardAndSaysSo) {
   EXPECT_EQ(merge.remarks[0].rfind("2 messages stand in more than one of the logs", 0), 0U) << merge.remarks[0];
 }
 
+// liblcm's question whether there is a bus stands in every recording.
+TEST(Merge, TakesFewMessagesOfOneContentForChance) {
+  const auto with = [](std::vector<OwnedEvent> events, const std::string& channel, const std::string& data) {
+    events.push_back({0, 50, channel, data});
+    return events;
+  };
+  std::vector<std::int64_t> utimes;
+  for (std::int64_t i = 0; i < 30; ++i) utimes.push_back(i);
+  const auto one = at(utimes, "A");
+  const auto other = at(utimes, "B");
+  const auto merge_of = [](const std::vector<OwnedEvent>& a, const std::vector<OwnedEvent>& b) {
+    return merged({{"a", views(a)}, {"b", views(b)}});
+  };
+  EXPECT_EQ(merge_of(with(one, "LCM_SELF_TEST", "lcm self test"), with(other, "LCM_SELF_TEST", "lcm self test")).twice,
+            0);
+  const Merge chance = merge_of(with(one, "C", "same"), with(other, "C", "same"));
+  EXPECT_EQ(chance.twice, 1);
+  EXPECT_TRUE(chance.remarks.empty()) << chance.remarks[0];
+  const Merge small = merge_of(with({}, "C", "same"), with(other, "C", "same"));
+  ASSERT_EQ(small.remarks.size(), 1U);
+  EXPECT_EQ(small.remarks[0], "1 message stands in more than one of the logs (one bus, recorded twice?): all are kept");
+}
+
 }  // namespace
 }  // namespace markservo::log_tool
