@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,6 +35,18 @@ class Verdict : public ::testing::Test {
     cv::Mat result;
     picture.convertTo(result, CV_8U, factor);
     return result;
+  }
+
+  // Of one colour, with that much noise, smoothed by `blur_px` (0: white).
+  static cv::Mat wall(unsigned seed, double noise, double blur_px = 0.0) {
+    cv::Mat picture(480, 640, CV_32FC3);
+    cv::RNG(seed).fill(picture, cv::RNG::NORMAL, 0.0, 1.0);
+    if (blur_px > 0.0) cv::GaussianBlur(picture, picture, cv::Size(), blur_px);
+    cv::Scalar mean;
+    cv::Scalar deviation;
+    cv::meanStdDev(picture, mean, deviation);
+    picture.convertTo(picture, CV_8U, noise / deviation[0], 128.0);
+    return picture;
   }
 
   scenes::StereoPair scene_ = scene_pair();
@@ -99,14 +112,31 @@ TEST_F(Verdict, OfACameraUpsideDownIsThatThePicturesShowDifferentThings) {
 }
 
 TEST_F(Verdict, OfABareWallIsThatNothingCanBeTold) {
-  cv::Mat wall(480, 640, CV_8UC3);
-  cv::RNG(1).fill(wall, cv::RNG::NORMAL, 128.0, 3.0);
-  cv::Mat other(480, 640, CV_8UC3);
-  cv::RNG(2).fill(other, cv::RNG::NORMAL, 128.0, 3.0);
-  const std::vector<Finding> findings = findings_of(report_of(wall, other, 0.0));
-  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Finding& each) {
-    return each.what.find("too few edges to tell whether it is sharp") != std::string::npos;
-  }));
+  const std::vector<Finding> findings = findings_of(report_of(wall(1, 3.0), wall(2, 3.0), 0.0));
+  EXPECT_THAT(wrong(findings), testing::IsEmpty());
+  for (const char* what : {"too few edges to tell whether it is sharp", "too little to be seen to tell"}) {
+    EXPECT_THAT(findings, testing::Contains(testing::Field(&Finding::what, testing::HasSubstr(what))));
+  }
+}
+
+// As of cameras that filter their pictures, or of pictures that were rectified.
+TEST_F(Verdict, OfABareWallIsNothingWrongWhateverItsNoise) {
+  for (const double blur_px : {0.4, 0.7}) {
+    for (const double noise : {0.0, 1.0, 8.0, 20.0}) {
+      const cv::Mat left = wall(1, noise, blur_px);
+      EXPECT_EQ(fault_of(left, wall(2, noise, blur_px)), "")
+          << noise << " levels, correlated over " << blur_px << " px";
+    }
+  }
+}
+
+// A mark of one colour is all there is to be seen: too little for a verdict on the cameras.
+TEST_F(Verdict, OfAPlainMarkBeforeABareWallIsThatNothingIsWrong) {
+  cv::Mat left = wall(1, 3.0);
+  cv::Mat right = wall(2, 3.0);
+  cv::rectangle(left, cv::Rect(300, 200, 70, 90), cv::Scalar(40, 60, 200), cv::FILLED);
+  cv::rectangle(right, cv::Rect(260, 200, 70, 90), cv::Scalar(40, 60, 200), cv::FILLED);
+  EXPECT_EQ(fault_of(left, right), "");
 }
 
 // Of one mark in so many pairs.
