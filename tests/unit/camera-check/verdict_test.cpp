@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "services/camera-check/camera_check.hpp"
+#include "services/camera-check/marks/mark_messages.hpp"
 #include "services/camera-check/marks/mark_sightings.hpp"
 #include "tests/unit/camera-check/scene_pair.hpp"
 
@@ -144,9 +145,10 @@ MarkSightings sightings(MarkStatus status, bool left, bool right, int pairs = 3)
   MarkSightings marks;
   for (int i = 0; i < pairs; ++i) {
     marks.add(SeenMark{"red_book", left, right});
-    PlacedMark placed{"red_book", status, "", Eigen::Vector3d::Zero()};
+    PlacedMark placed{"red_book", status, MarkCue::kNone, 0, Eigen::Vector3d::Zero()};
     if (status == MarkStatus::kLocated) {
-      placed.cue = "texture (40 points)";
+      placed.cue = MarkCue::kTexture;
+      placed.num_points = 40;
       placed.p_C = Eigen::Vector3d(0.0, 0.25, 0.0);
     }
     marks.add(placed);
@@ -158,14 +160,40 @@ TEST(VerdictOfMarks, TellsHowOftenAMarkIsLocatedAndByWhat) {
   const std::vector<Finding> findings = findings_of(sightings(MarkStatus::kLocated, true, true).all());
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_TRUE(findings[0].ok);
-  EXPECT_EQ(findings[0].what, "red_book: located in 3 of 3 pairs, by texture (40 points), 0.250 m from the left lens");
+  EXPECT_EQ(findings[0].what,
+            "red_book: located in 3 of 3 pairs, by its texture (40 points), 0.250 m from the left lens");
+}
+
+// What is said of a mark that a message places, by what the message says that carries the position.
+std::string said_of_cue(std::int8_t cue) {
+  LocatedMark mark{};
+  mark.name = "blue_ball";
+  mark.status = LocatedMark::LOCATED;
+  mark.cue = cue;
+  mark.p_C.y = 0.25;
+  mark.num_features = 52;
+  TargetPose pose{};
+  pose.marks = {mark};
+  pose.num_marks = 1;
+  MarkSightings marks;
+  marks.add(SeenMark{"blue_ball", true, true});
+  add_to(marks, pose);
+  return findings_of(marks.all()).front().what;
+}
+
+TEST(VerdictOfMarks, TellsByWhatAPlainMarkIsLocated) {
+  EXPECT_EQ(said_of_cue(LocatedMark::CUE_OUTLINE),
+            "blue_ball: located in 1 of 1 pairs, by its outline (52 points), 0.250 m from the left lens");
+  EXPECT_EQ(said_of_cue(LocatedMark::CUE_CENTROID),
+            "blue_ball: located in 1 of 1 pairs, by the middle of its colour, 0.250 m from the left lens");
 }
 
 TEST(VerdictOfMarks, IsThatAMarkInViewIsNotLocatedAndWhy) {
   const std::vector<Finding> findings = findings_of(sightings(MarkStatus::kTooFewMatches, true, true).all());
   EXPECT_EQ(wrong(findings),
-            std::vector<std::string>{"red_book: seen, but too few of its points match (seen left in 3, "
-                                     "right in 3 of 3 pairs)"});
+            std::vector<std::string>{"red_book: seen, but neither its texture nor its outline tells where (seen left "
+                                     "in 3, right in 3 of 3 pairs)"});
+  EXPECT_THAT(findings.front().mend, testing::HasSubstr("outline")) << "a plain mark needs no texture";
 }
 
 TEST(VerdictOfMarks, IsThatNoneIsLocatedWhereNoneIsInView) {
@@ -178,7 +206,7 @@ TEST(VerdictOfMarks, IsThatNoneIsLocatedWhereNoneIsInView) {
 TEST(VerdictOfMarks, IsWellWhereOneIsLocatedAndAnotherOutOfView) {
   MarkSightings marks = sightings(MarkStatus::kLocated, true, true);
   marks.add(SeenMark{"blue_book", false, false});
-  marks.add(PlacedMark{"blue_book", MarkStatus::kUnseen, "", Eigen::Vector3d::Zero()});
+  marks.add(PlacedMark{"blue_book", MarkStatus::kUnseen, MarkCue::kNone, 0, Eigen::Vector3d::Zero()});
   EXPECT_TRUE(wrong(findings_of(marks.all())).empty());
 }
 
