@@ -20,8 +20,11 @@ class StereoCalibrationFile : public testing::Test {
  protected:
   // The error of loading `text`, or "accepted".
   std::string error_of(const std::string& text, const CalibrationOptions& options = {}) const {
+    return error_of_files({folder_.write("stereo.yml", text)}, options);
+  }
+  std::string error_of_files(const std::vector<std::string>& paths, const CalibrationOptions& options = {}) const {
     try {
-      load_stereo_calibration({folder_.write("stereo.yml", text)}, options);
+      load_stereo_calibration(paths, options);
     } catch (const ConfigurationError& error) {
       return error.what();
     }
@@ -176,6 +179,34 @@ TEST_F(StereoCalibrationFile, IsRefusedAboveHalfAPixelOfErrorUnlessToldOtherwise
     EXPECT_EQ(error_of(CalibrationText().set(key, "0.49")), "accepted");
   }
   EXPECT_EQ(error_of(CalibrationText().remove("rms"), any), "accepted");
+}
+
+TEST_F(StereoCalibrationFile, IsRefusedForAnErrorThatEitherOfTwoFilesStates) {
+  CalibrationText silent = good_;
+  const std::string none = folder_.write("none.yml", silent.remove("rms").text());
+  const std::string bad = folder_.write("bad.yml", CalibrationText().set("rms", "5").text());
+  const auto error = [&](const std::string& first, const std::string& second) {
+    return error_of_files({first, second});
+  };
+  EXPECT_THAT(error(bad, bad), AllOf(HasSubstr("bad.yml"), HasSubstr("'rms' is 5 px")));
+  EXPECT_THAT(error(bad, none), HasSubstr("'rms' is 5 px"));
+  EXPECT_THAT(error(none, bad), HasSubstr("'rms' is 5 px"));
+  EXPECT_THAT(error(none, none), HasSubstr("'rms' is missing")) << "one file, named twice";
+  const std::string also_none = folder_.write("also_none.yml", silent.text());
+  EXPECT_THAT(load_stereo_calibration({none, also_none}, {}).warnings,
+              testing::ElementsAre(HasSubstr("none.yml: states no reprojection error")));
+  const std::string good = folder_.write("good.yml", good_.text());
+  EXPECT_TRUE(load_stereo_calibration({none, good}, {}).warnings.empty()) << "it is stated";
+}
+
+TEST_F(StereoCalibrationFile, NamesTheLensOfFourCoefficients) {
+  const std::string four = matrix_text(1, 4, {"0.", "0.", "0.", "0."});
+  const auto warnings = [&](const std::string& key) {
+    const std::string path = folder_.write("four.yml", CalibrationText().set(key, four).text());
+    return load_stereo_calibration({path}, {}).warnings;
+  };
+  EXPECT_THAT(warnings("D1"), testing::ElementsAre(HasSubstr("'D1' has exactly 4")));
+  EXPECT_THAT(warnings("D2"), testing::ElementsAre(HasSubstr("'D2' has exactly 4")));
 }
 
 TEST_F(StereoCalibrationFile, NeedsAPositiveBaseline) {
