@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <opencv2/core.hpp>
@@ -20,7 +22,15 @@ bool begins_with(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }
 
+// Not a folder, whose reading throws, nor a device, which may not end.
+bool can_be_read(const std::string& path) {
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(path, failed);
+  return std::filesystem::is_regular_file(status) || std::filesystem::is_fifo(status);
+}
+
 std::string read_text(const std::string& path) {
+  if (!can_be_read(path)) throw ConfigurationError(fmt::format("{}: is not a file; allowed: {}", path, kAllowed));
   std::ifstream file(path, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   if (begins_with(text, "\xEF\xBB\xBF")) text.erase(0, 3);  // the mark that Windows' editors put before UTF-8
@@ -46,22 +56,25 @@ YAML::Node from_opencv(const cv::FileNode& node) {
   return tree;
 }
 
-// The "FILE(12): what is wrong" of OpenCV's message, as line and words.
-std::string where_and_what(const std::string& message) {
-  const std::size_t close = message.rfind("): ");
-  const std::size_t open = message.rfind('(', close);
-  if (open == std::string::npos || close == std::string::npos) return message;
-  const std::size_t end = message.find_first_of("'\n", close);
-  return "line " + message.substr(open + 1, close - open - 1) + message.substr(close + 1, end - close - 1);
+// The "FILE(12): what is wrong" of OpenCV's words, as line and words. Where they are of another kind, the text has
+// ended before its elements have.
+std::string where_and_what(const std::string& words, const std::string& text) {
+  const std::size_t close = words.rfind("): ");
+  const std::size_t open = words.rfind('(', close);
+  const bool placed = close != std::string::npos && open != std::string::npos && close > open + 1 &&
+                      words.find_first_not_of("0123456789", open + 1) == close;
+  if (!placed) return fmt::format("line {}: ends too early", 1 + std::count(text.begin(), text.end(), '\n'));
+  const std::size_t end = words.find_first_of("'\n", close);
+  return "line " + words.substr(open + 1, close - open - 1) + words.substr(close + 1, end - close - 1);
 }
 
-YAML::Node parse_xml(const std::string& path) {
+YAML::Node parse_xml(const std::string& path, const std::string& text) {
   try {
-    const cv::FileStorage storage(path, cv::FileStorage::READ);
+    const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     return from_opencv(storage.root());
   } catch (const cv::Exception& error) {
     throw ConfigurationError(
-        fmt::format("{}: {}; allowed: well-formed XML", path, text::printable(where_and_what(error.what()))));
+        fmt::format("{}: {}; allowed: well-formed XML", path, text::printable(where_and_what(error.what(), text))));
   }
 }
 
@@ -81,7 +94,7 @@ YAML::Node parse_yaml(const std::string& path, std::string text) {
 YAML::Node load_calibration_tree(const std::string& path) {
   const std::string text = read_text(path);
   const bool xml = text[text.find_first_not_of(" \t\r\n")] == '<';
-  YAML::Node root = xml ? parse_xml(path) : parse_yaml(path, text);
+  YAML::Node root = xml ? parse_xml(path, text) : parse_yaml(path, text);
   if (!root.IsMap() || root.size() == 0) {
     throw ConfigurationError(fmt::format("{}: has no keys; allowed: {}", path, kAllowed));
   }

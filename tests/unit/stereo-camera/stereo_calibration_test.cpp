@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "calibration_text.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/stereo-camera/calibration/rectification.hpp"
@@ -104,6 +107,21 @@ TEST_F(StereoCalibrationFile, WithAKeyTwiceIsRefusedWithBothLines) {
   EXPECT_THAT(error_of("rms: 0.2\n" + good_.body()), HasSubstr("key 'rms' stands twice, on lines 1 and "));
 }
 
+TEST_F(StereoCalibrationFile, ThatEndsTooEarlyIsRefusedWithTheLine) {
+  for (const char* text :
+       {"<?xml version=\"1.0\"?>\n<opencv_storage>\n<rms>1", "<?xml version=\"1.0\"?>\n<opencv_storage>\n<rms>",
+        "<?xml version=\"1.0\"?>\n<opencv_storage>\n<rm", "<?xml version=\"1.0\"?>\n<opencv_storage>\n<rms>1</rms>"}) {
+    EXPECT_THAT(error_of(std::string(text)),
+                AllOf(HasSubstr("stereo.yml: line 3: "), HasSubstr("allowed: well-formed XML"),
+                      Not(HasSubstr("OpenCV(")), Not(HasSubstr("\n"))))
+        << text;
+  }
+}
+
+TEST_F(StereoCalibrationFile, MayBeNoFolder) {
+  EXPECT_THAT(error_of_files({folder_.file("")}), AllOf(HasSubstr("is not a file"), HasSubstr("allowed")));
+}
+
 TEST_F(StereoCalibrationFile, MustBeThere) {
   EXPECT_THROW(load_stereo_calibration({folder_.file("absent.yml")}, {}), ConfigurationError);
 }
@@ -139,7 +157,9 @@ TEST_F(StereoCalibrationFile, MayHaveNoMatrixOfAnotherShapeOrKind) {
 
 TEST_F(StereoCalibrationFile, MayHaveNoMatrixOfWhichAPartIsMissing) {
   for (const char* K1 : {"{cols: 1, data: [1, 2, 3]}", "{rows: 3, data: [1, 2, 3]}", "{rows: 3, cols: 3}", "{a: 1}",
-                         "{rows: [], cols: 1, data: [1]}", "{rows: 1, cols: 1, data: 5}", "[[1, 2], 3]"}) {
+                         "{rows: [], cols: 1, data: [1]}", "{rows: 1, cols: 1, data: 5}", "[[1, 2], 3]",
+                         "{rows: 4.5, cols: 2, data: [1, 2, 3, 4, 5, 6, 7, 8, 9]}",
+                         "{rows: 1.5, cols: 2, data: [1, 2, 3]}", "{rows: -1, cols: -1, data: [1]}"}) {
     EXPECT_THAT(error_of(CalibrationText().set("K1", K1)), HasSubstr("'K1' is ")) << K1;
   }
 }
@@ -257,6 +277,17 @@ TEST_F(StereoCalibrationFile, MayBeXml) {
     xml << "image_size" << cv::Size(64, 48) << "rms" << 0.2;
   }
   EXPECT_DOUBLE_EQ(rectified_camera(load_stereo_calibration({path}, {})).baseline, 0.1);
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(error_of("\xEF\xBB\xBF" + text), "accepted") << "a mark that Windows' editors set";
+}
+
+// Rectification knows no skew: what it ignored would be measured wrong.
+TEST_F(StereoCalibrationFile, MayHaveNoSkew) {
+  const std::string K = matrix_text(3, 3, {"50.", "40.", "31.5", "0.", "50.", "23.5", "0.", "0.", "1."});
+  for (const char* key : {"K1", "K2"}) {
+    EXPECT_THAT(error_of(CalibrationText().set(key, K)), AllOf(HasSubstr(key), HasSubstr("skewed pixels (40 px)")));
+  }
 }
 
 TEST_F(StereoCalibrationFile, OfIdealCamerasLeavesPicturesAsTheyAre) {
