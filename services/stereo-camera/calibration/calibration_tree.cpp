@@ -56,25 +56,35 @@ YAML::Node from_opencv(const cv::FileNode& node) {
   return tree;
 }
 
-// The "FILE(12): what is wrong" of OpenCV's words, as line and words. Where they are of another kind, the text has
-// ended before its elements have.
-std::string where_and_what(const std::string& words, const std::string& text) {
+// What OpenCV's parser is not to be given: it reads past the end of a text that ends within an element, and may crash.
+void require_whole_xml(const std::string& path, const std::string& text) {
+  const auto refuse = [&path](std::ptrdiff_t line, const char* what) {
+    throw ConfigurationError(fmt::format("{}: line {}: {}; allowed: well-formed XML of OpenCV", path, line, what));
+  };
+  if (text.find("<?xml") != text.find_first_not_of(" \t\r\n")) refuse(1, "begins without <?xml");
+  if (text.find("</opencv_storage>") != std::string::npos) return;
+  refuse(1 + std::count(text.begin(), text.end(), '\n'), "ends without </opencv_storage>");
+}
+
+// The "FILE(12): what is wrong" of OpenCV's words, as line and words.
+std::string where_and_what(const std::string& words) {
   const std::size_t close = words.rfind("): ");
   const std::size_t open = words.rfind('(', close);
   const bool placed = close != std::string::npos && open != std::string::npos && close > open + 1 &&
                       words.find_first_not_of("0123456789", open + 1) == close;
-  if (!placed) return fmt::format("line {}: ends too early", 1 + std::count(text.begin(), text.end(), '\n'));
+  if (!placed) return "cannot be parsed";
   const std::size_t end = words.find_first_of("'\n", close);
   return "line " + words.substr(open + 1, close - open - 1) + words.substr(close + 1, end - close - 1);
 }
 
 YAML::Node parse_xml(const std::string& path, const std::string& text) {
+  require_whole_xml(path, text);
   try {
     const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     return from_opencv(storage.root());
   } catch (const cv::Exception& error) {
     throw ConfigurationError(
-        fmt::format("{}: {}; allowed: well-formed XML", path, text::printable(where_and_what(error.what(), text))));
+        fmt::format("{}: {}; allowed: well-formed XML", path, text::printable(where_and_what(error.what()))));
   }
 }
 

@@ -118,6 +118,16 @@ TEST_F(StereoCalibrationFile, ThatEndsTooEarlyIsRefusedWithTheLine) {
   }
 }
 
+// Some beginnings of a file crash OpenCV's parser.
+TEST_F(StereoCalibrationFile, ThatIsTheBeginningOfAnXmlIsRefused) {
+  const std::string whole =
+      "<?xml version=\"1.0\"?>\n<opencv_storage>\n<!-- a -->\n<K1 type_id=\"opencv-matrix\">\n<rows>1</rows>\n"
+      "<cols>2</cols>\n<dt>d</dt>\n<data>\n50. 0.</data></K1>\n<name>\"text\"</name>\n</opencv_storage>";
+  for (std::size_t length = 1; length < whole.size(); ++length) {
+    EXPECT_THAT(error_of(whole.substr(0, length)), AllOf(HasSubstr("stereo.yml: line "), Not(HasSubstr("OpenCV("))));
+  }
+}
+
 TEST_F(StereoCalibrationFile, MayBeNoFolder) {
   EXPECT_THAT(error_of_files({folder_.file("")}), AllOf(HasSubstr("is not a file"), HasSubstr("allowed")));
 }
