@@ -48,7 +48,7 @@ Json json_of(const MarkSighting& mark) {
   Json json = {{"name", mark.name},       {"pairs", mark.pairs}, {"left", mark.left}, {"right", mark.right},
                {"located", mark.located}, {"cue", nullptr},      {"p_C_m", nullptr}};
   if (mark.located > 0) {
-    json["cue"] = mark.cue;
+    json["cue"] = told_cue(mark);
     json["p_C_m"] = {mark.p_C.x(), mark.p_C.y(), mark.p_C.z()};
   }
   return json;

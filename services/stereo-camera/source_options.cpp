@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/stereo-camera/devices/device_source.hpp"
 #include "services/stereo-camera/files/file_source.hpp"
@@ -19,6 +20,7 @@ namespace markservo::stereo_camera {
 namespace {
 
 constexpr double kMicroseconds = 1e6;  // in a second
+constexpr double kMinRate_hz = 0.001;  // a pair in 17 minutes; times of much less do not fit into microseconds
 constexpr double kMaxRate_hz = 1000.0;
 constexpr double kRateTolerance = 0.01;  // two cameras of one kind state 29.97 and 30, or lose a picture now and then
 constexpr double kMaxOffset_s = 1e6;     // clocks that are further apart are no two recordings of one scene
@@ -55,8 +57,9 @@ void check_way(const SourceOptions& options) {
   if (options.loop && (two_devices || !options.device.empty())) {
     throw ConfigurationError("--loop is given with cameras; allowed: with files");
   }
-  if (options.rate_hz && !(*options.rate_hz > 0.0 && *options.rate_hz <= kMaxRate_hz)) {
-    throw ConfigurationError("--rate is " + std::to_string(*options.rate_hz) + " Hz; allowed: above 0 and up to 1000");
+  if (options.rate_hz && !(*options.rate_hz >= kMinRate_hz && *options.rate_hz <= kMaxRate_hz)) {
+    throw ConfigurationError(
+        fmt::format("--rate is {:.6g} Hz; allowed: {:.6g} to {:.6g}", *options.rate_hz, kMinRate_hz, kMaxRate_hz));
   }
 }
 
@@ -112,6 +115,7 @@ std::unique_ptr<FileSource> open_videos(const SourceOptions& options, OpenedSour
     opened.note = "both videos' times are taken for one clock's; --estimate-offset asks the pictures";
   }
   if (options.estimate_offset) {
+    logging::info("--estimate-offset: looking for what moves in both videos' first minute");
     const OffsetEstimate estimate = measure_offset(*left, *right);
     offset_s = estimate.offset_s;
     opened.note = fmt::format(

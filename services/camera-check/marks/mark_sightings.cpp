@@ -21,7 +21,8 @@ bool is_trouble(MarkStatus status) {
 
 const char* cure_of(MarkStatus status) {
   return status == MarkStatus::kTooFewMatches
-             ? "give the mark a printed texture (scripts/print-mark), bring it nearer, or make it sharp"
+             ? "show its whole outline, as robot.yaml states it, or print a texture (scripts/print-mark); bring it "
+               "nearer and sharp"
              : "look for another thing of the mark's colour, and for what is said of the cameras above";
 }
 
@@ -30,8 +31,8 @@ Finding finding_of(const MarkSighting& mark) {
   if (mark.located > 0) {
     const double distance_m = mark.p_C.norm();
     return {true,
-            fmt::format("{}: located in {} of {} pairs{}{}, {:.3f} m from the left lens", mark.name, mark.located,
-                        mark.pairs, mark.cue.empty() ? "" : ", by ", mark.cue, distance_m),
+            fmt::format("{}: located in {} of {} pairs, {}, {:.3f} m from the left lens", mark.name, mark.located,
+                        mark.pairs, told_cue(mark), distance_m),
             ""};
   }
   const MarkStatus reason = usual_reason(mark);
@@ -65,7 +66,13 @@ void MarkSightings::add(const PlacedMark& placed) {
   }
   ++mark.located;
   mark.cue = placed.cue;
+  mark.num_points = placed.num_points;
   mark.p_C = placed.p_C;
+}
+
+std::string told_cue(const MarkSighting& mark) {
+  const bool by_points = mark.cue == MarkCue::kTexture || mark.cue == MarkCue::kOutline;
+  return by_points ? fmt::format("{} ({} points)", name_of(mark.cue), mark.num_points) : name_of(mark.cue);
 }
 
 std::vector<Finding> findings_of(const std::vector<MarkSighting>& marks) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/states/mark_cue.hpp"
 #include "common/states/mark_status.hpp"
 #include "services/camera-check/camera_check.hpp"
 
@@ -23,7 +24,8 @@ struct SeenMark {
 struct PlacedMark {
   std::string name;
   MarkStatus status = MarkStatus::kUnseen;
-  std::string cue;                                // what carried the position, for a person; empty unless located
+  MarkCue cue = MarkCue::kNone;                   // what carries the position
+  int num_points = 0;                             // that carry it, of the texture or of the outline
   Eigen::Vector3d p_C = Eigen::Vector3d::Zero();  // m
 };
 
@@ -34,7 +36,8 @@ struct MarkSighting {
   int right = 0;
   int located = 0;
   std::map<MarkStatus, int> reasons;              // of the pairs in which it was not located
-  std::string cue;                                // of the newest position
+  MarkCue cue = MarkCue::kNone;                   // of the newest position
+  int num_points = 0;                             // of the newest position
   Eigen::Vector3d p_C = Eigen::Vector3d::Zero();  // the newest position, m
 };
 
@@ -50,6 +53,9 @@ class MarkSightings {
 
   std::vector<MarkSighting> marks_;
 };
+
+// What a located mark is measured by, for a person: "by its texture (40 points)".
+std::string told_cue(const MarkSighting& mark);
 
 // One finding a mark. Where none is located, or the two views of one do not match, something is wrong; a mark that is
 // out of view is none.

@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "services/camera-check/picture/picture_noise.hpp"
+
 namespace markservo::camera_check {
 namespace {
 
@@ -77,6 +79,23 @@ cv::Mat smaller(const cv::Mat& picture, int factor) {
   return small;
 }
 
+// The variance within a window from which on two pictures of it with that noise are as like as a match has to be. Noise
+// adds its own to what is to be seen and is another one in the other picture: likeness is at best 1 - noise^2 /
+// variance.
+double least_variance(double noise, const MatchParameters& parameters) {
+  const double sigma = std::max(noise, parameters.least_noise);
+  return sigma * sigma / (1.0 - parameters.least_likeness);
+}
+
+bool shows_something(const cv::Mat& image, const cv::Point& centre, double least_variance) {
+  const cv::Rect window = about(centre, kHalfWindow, kHalfWindow) & cv::Rect({0, 0}, image.size());
+  if (window.empty()) return false;
+  cv::Scalar mean;
+  cv::Scalar deviation;
+  cv::meanStdDev(image(window), mean, deviation);
+  return deviation[0] * deviation[0] >= least_variance;
+}
+
 // In pictures of a usual size.
 PairMatches match_usual(const cv::Mat& left, const cv::Mat& right, const MatchParameters& parameters) {
   constexpr double kLeastQuality = 0.02;                            // of the best corner's
@@ -89,10 +108,13 @@ PairMatches match_usual(const cv::Mat& left, const cv::Mat& right, const MatchPa
   const cv::Size reach(static_cast<int>(parameters.columns_share * coarse_left.cols),
                        std::max(1, static_cast<int>(parameters.rows_share * coarse_left.rows)));
   PairMatches found;
-  found.num_corners = static_cast<int>(corners.size());
+  // The best corner's quality may be that of noise.
+  const double least = least_variance(std::max(noise_of(coarse_left), noise_of(coarse_right)), parameters);
   for (const cv::Point2f& corner : corners) {
     const cv::Point at(cvRound(corner.x), cvRound(corner.y));
     const cv::Point coarse_at(at.x / 2, at.y / 2);
+    if (!shows_something(coarse_left, coarse_at, least)) continue;
+    ++found.num_corners;
     const auto there = find(coarse_left, coarse_at, coarse_right, reach, parameters);
     if (!there) continue;
     const auto back = find(coarse_right, *there, coarse_left, reach, parameters);

@@ -13,7 +13,7 @@ struct CornerMatch {
 };
 
 struct PairMatches {
-  int num_corners = 0;  // of the left picture that were looked for in the right one
+  int num_corners = 0;  // of the left picture that stand out of the noise and were looked for in the right one
   std::vector<CornerMatch> matches;
 };
 
@@ -22,6 +22,7 @@ struct MatchParameters {
   double columns_share = 0.4;    // of the width, to either side: an exchanged pair has its disparities the other way
   double rows_share = 0.05;      // of the height, up and down
   double least_likeness = 0.85;  // normalised correlation of two windows that show the same
+  double least_noise = 1.0;      // levels; fainter than what such noise hides is shading
   double least_lead = 0.05;      // before the next best place: repeated patterns match anywhere
 };
 

@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "services/camera-check/picture/picture_noise.hpp"
+
 namespace markservo::camera_check {
 namespace {
 
@@ -35,25 +37,6 @@ Slopes slopes_of(const cv::Mat& grey, double smoothing_px) {
   cv::filter2D(smooth, slopes.along_u, CV_32F, difference);
   cv::filter2D(smooth, slopes.along_v, CV_32F, difference.t());
   return slopes;
-}
-
-double median(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// Sigma of white noise, grey levels, by what remains of the picture without its planes and edges (Immerkaer, Fast noise
-// variance estimation, CVIU 64, 1996), as a median, so that texture in part of the picture does not count as noise.
-double noise_of(const cv::Mat& grey) {
-  const cv::Mat kernel = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
-  constexpr double kOfKernel = 6.0;        // the root of the sum of its squares
-  constexpr double kOfNormal = 0.6744898;  // the median of |x| of a normal distribution with sigma 1
-  cv::Mat rest;
-  cv::filter2D(grey, rest, CV_32F, kernel);
-  std::vector<float> values(rest.begin<float>(), rest.end<float>());
-  for (float& value : values) value = std::abs(value);
-  return median(values) / (kOfKernel * kOfNormal);
 }
 
 double blur_from(const Smoothings& by, double fine_slope, double coarse_slope) {

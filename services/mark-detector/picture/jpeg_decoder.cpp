@@ -3,10 +3,22 @@
 #include <turbojpeg.h>
 
 #include <new>
-
-#include "services/mark-detector/picture/picture_file.hpp"
+#include <opencv2/imgcodecs.hpp>
 
 namespace markservo::mark_detector {
+namespace {
+
+// By OpenCV, without the orientation that EXIF states; empty if it cannot or finds another size.
+cv::Mat decode_raw(const std::vector<std::uint8_t>& bytes, cv::Size size) {
+  try {
+    const cv::Mat picture = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+    return picture.size() == size ? picture : cv::Mat();
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+}  // namespace
 
 void JpegDecoder::Release::operator()(void* decompressor) const {
   tjDestroy(decompressor);
@@ -26,7 +38,7 @@ cv::Mat JpegDecoder::unpack(const std::vector<std::uint8_t>& bytes, cv::Size siz
   }
   if (stated != size) return {};
   // Colours of print, which this interface does not turn into BGR.
-  if (colours == TJCS_CMYK || colours == TJCS_YCCK) return decode_picture(bytes);
+  if (colours == TJCS_CMYK || colours == TJCS_YCCK) return decode_raw(bytes, size);
   picture_.create(size, CV_8UC3);
   Outcome outcome = decompress(bytes);
   if (outcome == Outcome::kDamaged) {

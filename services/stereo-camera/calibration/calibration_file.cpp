@@ -33,6 +33,10 @@ std::optional<double> to_number(const YAML::Node& node) {
   return value;
 }
 
+bool is_count(double value) {
+  return value >= 0.0 && value == std::floor(value);
+}
+
 std::string value_text(const YAML::Node& node) {
   return node.IsScalar() ? "'" + text::printable(node.Scalar()) + "'" : "no single value";
 }
@@ -80,7 +84,8 @@ cv::Mat CalibrationFile::any_matrix(const Keys& keys) const {
     if (const YAML::Node data = node["data"]; data.IsDefined()) values = numbers(key, data);
     const double stated_rows = to_number(node["rows"]).value_or(0.0);
     const double stated_cols = to_number(node["cols"]).value_or(0.0);
-    if (!(stated_rows >= 0.0) || stated_rows * stated_cols != static_cast<double>(values.size())) {
+    const bool counts = is_count(stated_rows) && is_count(stated_cols);
+    if (!counts || stated_rows * stated_cols != static_cast<double>(values.size())) {
       fail(key, "not a readable matrix", kMatrixForms);
     }
     rows = static_cast<int>(stated_rows);
@@ -124,6 +129,10 @@ cv::Matx33d CalibrationFile::camera_matrix(const Keys& keys) const {
   const double determinant = cv::determinant(K);
   if (std::abs(determinant) < kSingular) {
     fail(name(keys), fmt::format("singular (determinant {:.6g})", determinant), "an invertible camera matrix");
+  }
+  if (K(0, 1) != 0.0) {
+    fail(name(keys), fmt::format("of skewed pixels ({:.6g} px)", K(0, 1)),
+         "[fx 0 cx; 0 fy cy; 0 0 1] (calibrate without skew: lens models here have none)");
   }
   if (!(K(0, 0) > 0.0) || !(K(1, 1) > 0.0) || K(1, 0) != 0.0 || K(2, 0) != 0.0 || K(2, 1) != 0.0 || K(2, 2) != 1.0) {
     fail(name(keys), "not a camera matrix", "[fx 0 cx; 0 fy cy; 0 0 1] in px with fx and fy above 0");

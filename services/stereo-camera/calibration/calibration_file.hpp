@@ -35,7 +35,7 @@ class CalibrationFile {
   // Three numbers, in a row, a column or a list.
   cv::Vec3d vector3(const Keys& keys) const;
 
-  // [fx s cx; 0 fy cy; 0 0 1] with fx, fy above 0.
+  // [fx 0 cx; 0 fy cy; 0 0 1] with fx, fy above 0: no skew, which neither lens model knows.
   cv::Matx33d camera_matrix(const Keys& keys) const;
 
   // Distortion coefficients in a row, a column or a list, 1 x n; `counts` are allowed.

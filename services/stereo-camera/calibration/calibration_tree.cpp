@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <opencv2/core.hpp>
@@ -20,7 +22,15 @@ bool begins_with(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }
 
+// Not a folder, whose reading throws, nor a device, which may not end.
+bool can_be_read(const std::string& path) {
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(path, failed);
+  return std::filesystem::is_regular_file(status) || std::filesystem::is_fifo(status);
+}
+
 std::string read_text(const std::string& path) {
+  if (!can_be_read(path)) throw ConfigurationError(fmt::format("{}: is not a file; allowed: {}", path, kAllowed));
   std::ifstream file(path, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   if (begins_with(text, "\xEF\xBB\xBF")) text.erase(0, 3);  // the mark that Windows' editors put before UTF-8
@@ -46,18 +56,31 @@ YAML::Node from_opencv(const cv::FileNode& node) {
   return tree;
 }
 
-// The "FILE(12): what is wrong" of OpenCV's message, as line and words.
-std::string where_and_what(const std::string& message) {
-  const std::size_t close = message.rfind("): ");
-  const std::size_t open = message.rfind('(', close);
-  if (open == std::string::npos || close == std::string::npos) return message;
-  const std::size_t end = message.find_first_of("'\n", close);
-  return "line " + message.substr(open + 1, close - open - 1) + message.substr(close + 1, end - close - 1);
+// What OpenCV's parser is not to be given: it reads past the end of a text that ends within an element, and may crash.
+void require_whole_xml(const std::string& path, const std::string& text) {
+  const auto refuse = [&path](std::ptrdiff_t line, const char* what) {
+    throw ConfigurationError(fmt::format("{}: line {}: {}; allowed: well-formed XML of OpenCV", path, line, what));
+  };
+  if (text.find("<?xml") != text.find_first_not_of(" \t\r\n")) refuse(1, "begins without <?xml");
+  if (text.find("</opencv_storage>") != std::string::npos) return;
+  refuse(1 + std::count(text.begin(), text.end(), '\n'), "ends without </opencv_storage>");
 }
 
-YAML::Node parse_xml(const std::string& path) {
+// The "FILE(12): what is wrong" of OpenCV's words, as line and words.
+std::string where_and_what(const std::string& words) {
+  const std::size_t close = words.rfind("): ");
+  const std::size_t open = words.rfind('(', close);
+  const bool placed = close != std::string::npos && open != std::string::npos && close > open + 1 &&
+                      words.find_first_not_of("0123456789", open + 1) == close;
+  if (!placed) return "cannot be parsed";
+  const std::size_t end = words.find_first_of("'\n", close);
+  return "line " + words.substr(open + 1, close - open - 1) + words.substr(close + 1, end - close - 1);
+}
+
+YAML::Node parse_xml(const std::string& path, const std::string& text) {
+  require_whole_xml(path, text);
   try {
-    const cv::FileStorage storage(path, cv::FileStorage::READ);
+    const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     return from_opencv(storage.root());
   } catch (const cv::Exception& error) {
     throw ConfigurationError(
@@ -81,7 +104,7 @@ YAML::Node parse_yaml(const std::string& path, std::string text) {
 YAML::Node load_calibration_tree(const std::string& path) {
   const std::string text = read_text(path);
   const bool xml = text[text.find_first_not_of(" \t\r\n")] == '<';
-  YAML::Node root = xml ? parse_xml(path) : parse_yaml(path, text);
+  YAML::Node root = xml ? parse_xml(path, text) : parse_yaml(path, text);
   if (!root.IsMap() || root.size() == 0) {
     throw ConfigurationError(fmt::format("{}: has no keys; allowed: {}", path, kAllowed));
   }

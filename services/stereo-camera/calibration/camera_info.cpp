@@ -52,6 +52,10 @@ bool is_camera_info(const CalibrationFile& file) {
   return file.has(kCameraMatrix) && file.has(kDistortion);
 }
 
+const std::string& projection_name(const CalibrationFile& file) {
+  return file.name(kProjection);
+}
+
 StereoCalibration read_camera_info(const CalibrationFile& left, const CalibrationFile& right,
                                    const CalibrationOptions& options) {
   StereoCalibration calibration;

@@ -11,6 +11,9 @@ namespace markservo::stereo_camera {
 // Whether the file describes one camera in that way.
 bool is_camera_info(const CalibrationFile& file);
 
+// The key by which it states its projection.
+const std::string& projection_name(const CalibrationFile& file);
+
 // Throws ConfigurationError.
 StereoCalibration read_camera_info(const CalibrationFile& left, const CalibrationFile& right,
                                    const CalibrationOptions& options);

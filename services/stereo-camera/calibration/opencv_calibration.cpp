@@ -33,8 +33,10 @@ void read_intrinsics(const CalibrationFile& file, const CalibrationOptions& opti
   calibration.left.D = file.distortion(kLeft.D, counts);
   calibration.right.K = file.camera_matrix(kRight.K);
   calibration.right.D = file.distortion(kRight.D, counts);
-  if (!options.lens && (calibration.left.D.total() == 4 || calibration.right.D.total() == 4)) {
-    calibration.warnings.push_back(four_coefficients_warning(file.path(), file.name(kLeft.D)));
+  const bool left_has_four = calibration.left.D.total() == 4;
+  if (!options.lens && (left_has_four || calibration.right.D.total() == 4)) {
+    calibration.warnings.push_back(
+        four_coefficients_warning(file.path(), file.name(left_has_four ? kLeft.D : kRight.D)));
   }
   calibration.image_size = file.image_size();
 }
@@ -63,16 +65,20 @@ void check_error(const CalibrationFile& file, const Keys& keys, const Calibratio
             fmt::format("up to {:.6g} px (calibrate again, or pass --accept-rms)", options.max_error_px));
 }
 
-void check_errors(const CalibrationFile& file, const CalibrationOptions& options, StereoCalibration& calibration) {
+// What both files state; they may be one. One file is where users write the error too, the sample of two never does.
+void check_errors(const CalibrationFile& intrinsics, const CalibrationFile& extrinsics,
+                  const CalibrationOptions& options, StereoCalibration& calibration) {
   const Keys rms{"rms", "RMS", "reprojection_error", "avg_reprojection_error"};
-  if (!file.has(rms) && !options.accept_any_error) {
-    file.missing(rms.front(), "the calibration's reprojection error in px (or pass --accept-rms)");
+  if (!intrinsics.has(rms) && !extrinsics.has(rms)) {
+    if (intrinsics.path() == extrinsics.path() && !options.accept_any_error) {
+      intrinsics.missing(rms.front(), "the calibration's reprojection error in px (or pass --accept-rms)");
+    }
+    calibration.warnings.push_back(intrinsics.path() + ": states no reprojection error; taken on trust");
   }
-  if (!file.has(rms)) {
-    calibration.warnings.push_back(file.path() + ": states no reprojection error; taken on trust");
+  for (const CalibrationFile* file : {&intrinsics, &extrinsics}) {
+    check_error(*file, rms, options);
+    check_error(*file, {"epipolar_error", "epipolar_rms", "epipolar"}, options);
   }
-  check_error(file, rms, options);
-  check_error(file, {"epipolar_error", "epipolar_rms", "epipolar"}, options);
 }
 
 // Between the lenses, in the file's unit.
@@ -89,11 +95,7 @@ StereoCalibration read_opencv_calibration(const CalibrationFile& intrinsics, con
   calibration.path = extrinsics.path();
   read_intrinsics(intrinsics, options, calibration);
   read_extrinsics(extrinsics, calibration);
-  if (&intrinsics == &extrinsics) {
-    check_errors(intrinsics, options, calibration);
-  } else {
-    calibration.warnings.push_back(intrinsics.path() + ": states no reprojection error; taken on trust");
-  }
+  check_errors(intrinsics, extrinsics, options, calibration);
   return calibration;
 }
 

@@ -7,8 +7,9 @@
 
 namespace markservo::stereo_camera {
 
-// The cameras from `intrinsics`, how they stand from `extrinsics`, which may be the same file; it then states an error,
-// too. Lengths are still in the file's unit. Throws ConfigurationError.
+// The cameras from `intrinsics`, how they stand from `extrinsics`, which may be the same file; it then has to state an
+// error, too. An error that either states has to be small enough. Lengths are still in the file's unit. Throws
+// ConfigurationError.
 StereoCalibration read_opencv_calibration(const CalibrationFile& intrinsics, const CalibrationFile& extrinsics,
                                           const CalibrationOptions& options);
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
 
 #include "common/geometry/camera_bounds.hpp"
 #include "common/robot/configuration_error.hpp"
@@ -34,16 +35,21 @@ void check_baseline(const CalibrationFile& file, const std::string& key, double 
   file.fail(key, value, fmt::format("{:.6g} to {:.6g} m ({})", bounds.min, bounds.max, kUnits));
 }
 
-// What `file`, the extrinsics' or the right camera's, says of both projections.
-void check_projections(const CalibrationFile& file, const StereoCalibration& calibration) {
-  const std::string key = file.has({"P2"}) ? "P2" : "projection_matrix";
+// What `file`, the extrinsics' or the right camera's, says of both projections. `first` is the intrinsics' or the left
+// camera's.
+void check_projections(const CalibrationFile& first, const CalibrationFile& file,
+                       const StereoCalibration& calibration) {
+  const std::string key = file.has({"P2"}) ? "P2" : projection_name(file);
   const cv::Matx34d& P1 = calibration.left.P;
   const cv::Matx34d& P2 = calibration.right.P;
   const auto differ = [](double a, double b) { return std::abs(a - b) > kRectifiedTolerance_px; };
   if (differ(P1(0, 0), P2(0, 0)) || differ(P1(1, 1), P2(1, 1)) || differ(P1(1, 2), P2(1, 2))) {
     file.fail(key, "for another focal length or row than the left camera's (P1)", "P1 and P2 of one cv::stereoRectify");
   }
-  if (P1(0, 3) != 0.0 || P1(1, 3) != 0.0) file.fail("P1", "not at the left camera", "a fourth column of 0");
+  if (P1(0, 3) != 0.0 || P1(1, 3) != 0.0) {
+    const bool both = file.has({"P1"});
+    (both ? file : first).fail(both ? "P1" : projection_name(first), "not at the left camera", "a fourth column of 0");
+  }
   if (std::abs(P2(1, 3)) > std::abs(P2(0, 3))) {
     file.fail(key, "for cameras above one another", "cameras side by side");
   }
@@ -63,9 +69,21 @@ void check_relative(const CalibrationFile& file, const StereoCalibration& calibr
   check_baseline(file, "T", T[0] < 0.0 ? cv::norm(T) : -cv::norm(T));
 }
 
-StereoCalibration finished(const CalibrationFile& file, StereoCalibration calibration) {
+// Of a camera_info file.
+void require_metres(const CalibrationFile& file, const CalibrationOptions& options) {
+  for (const auto& [option, value] :
+       {std::pair{"--board-square", options.board_square}, std::pair{"--metres-per-unit", options.metres_per_unit}}) {
+    if (!value) continue;
+    throw ConfigurationError(
+        fmt::format("{}: is ROS's camera_info, whose lengths are in metres, and {} is {:.6g}; allowed: without that "
+                    "option (of a board whose squares were given wrong: calibrate again)",
+                    file.path(), option, *value));
+  }
+}
+
+StereoCalibration finished(const CalibrationFile& first, const CalibrationFile& file, StereoCalibration calibration) {
   if (calibration.rectified) {
-    check_projections(file, calibration);
+    check_projections(first, file, calibration);
   } else {
     check_relative(file, calibration);
   }
@@ -91,17 +109,16 @@ StereoCalibration load_stereo_calibration(const std::vector<std::string>& paths,
     }
     StereoCalibration calibration = read_opencv_calibration(first, first, options);
     scale(calibration, metres_per_unit(first, calibration, options));
-    return finished(first, std::move(calibration));
+    return finished(first, first, std::move(calibration));
   }
   const CalibrationFile second(paths.back());
   if (is_camera_info(first) || is_camera_info(second)) {
-    StereoCalibration calibration = read_camera_info(first, second, options);
-    scale(calibration, metres_per_unit(second, calibration, options));
-    return finished(second, std::move(calibration));
+    require_metres(second, options);
+    return finished(first, second, read_camera_info(first, second, options));
   }
   StereoCalibration calibration = read_opencv_calibration(first, second, options);
   scale(calibration, metres_per_unit(second, calibration, options));
-  return finished(second, std::move(calibration));
+  return finished(first, second, std::move(calibration));
 }
 
 geometry::StereoCamera rectified_camera(const StereoCalibration& calibration) {

@@ -1,8 +1,10 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "services/camera-check/camera_check.hpp"
+#include "services/camera-check/marks/mark_messages.hpp"
 #include "services/camera-check/marks/mark_sightings.hpp"
 #include "tests/unit/camera-check/scene_pair.hpp"
 
@@ -34,6 +36,18 @@ class Verdict : public ::testing::Test {
     cv::Mat result;
     picture.convertTo(result, CV_8U, factor);
     return result;
+  }
+
+  // Of one colour, with that much noise, smoothed by `blur_px` (0: white).
+  static cv::Mat wall(unsigned seed, double noise, double blur_px = 0.0) {
+    cv::Mat picture(480, 640, CV_32FC3);
+    cv::RNG(seed).fill(picture, cv::RNG::NORMAL, 0.0, 1.0);
+    if (blur_px > 0.0) cv::GaussianBlur(picture, picture, cv::Size(), blur_px);
+    cv::Scalar mean;
+    cv::Scalar deviation;
+    cv::meanStdDev(picture, mean, deviation);
+    picture.convertTo(picture, CV_8U, noise / deviation[0], 128.0);
+    return picture;
   }
 
   scenes::StereoPair scene_ = scene_pair();
@@ -99,14 +113,31 @@ TEST_F(Verdict, OfACameraUpsideDownIsThatThePicturesShowDifferentThings) {
 }
 
 TEST_F(Verdict, OfABareWallIsThatNothingCanBeTold) {
-  cv::Mat wall(480, 640, CV_8UC3);
-  cv::RNG(1).fill(wall, cv::RNG::NORMAL, 128.0, 3.0);
-  cv::Mat other(480, 640, CV_8UC3);
-  cv::RNG(2).fill(other, cv::RNG::NORMAL, 128.0, 3.0);
-  const std::vector<Finding> findings = findings_of(report_of(wall, other, 0.0));
-  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Finding& each) {
-    return each.what.find("too few edges to tell whether it is sharp") != std::string::npos;
-  }));
+  const std::vector<Finding> findings = findings_of(report_of(wall(1, 3.0), wall(2, 3.0), 0.0));
+  EXPECT_THAT(wrong(findings), testing::IsEmpty());
+  for (const char* what : {"too few edges to tell whether it is sharp", "too little to be seen to tell"}) {
+    EXPECT_THAT(findings, testing::Contains(testing::Field(&Finding::what, testing::HasSubstr(what))));
+  }
+}
+
+// As of cameras that filter their pictures, or of pictures that were rectified.
+TEST_F(Verdict, OfABareWallIsNothingWrongWhateverItsNoise) {
+  for (const double blur_px : {0.4, 0.7}) {
+    for (const double noise : {0.0, 1.0, 8.0, 20.0}) {
+      const cv::Mat left = wall(1, noise, blur_px);
+      EXPECT_EQ(fault_of(left, wall(2, noise, blur_px)), "")
+          << noise << " levels, correlated over " << blur_px << " px";
+    }
+  }
+}
+
+// A mark of one colour is all there is to be seen: too little for a verdict on the cameras.
+TEST_F(Verdict, OfAPlainMarkBeforeABareWallIsThatNothingIsWrong) {
+  cv::Mat left = wall(1, 3.0);
+  cv::Mat right = wall(2, 3.0);
+  cv::rectangle(left, cv::Rect(300, 200, 70, 90), cv::Scalar(40, 60, 200), cv::FILLED);
+  cv::rectangle(right, cv::Rect(260, 200, 70, 90), cv::Scalar(40, 60, 200), cv::FILLED);
+  EXPECT_EQ(fault_of(left, right), "");
 }
 
 // Of one mark in so many pairs.
@@ -114,9 +145,10 @@ MarkSightings sightings(MarkStatus status, bool left, bool right, int pairs = 3)
   MarkSightings marks;
   for (int i = 0; i < pairs; ++i) {
     marks.add(SeenMark{"red_book", left, right});
-    PlacedMark placed{"red_book", status, "", Eigen::Vector3d::Zero()};
+    PlacedMark placed{"red_book", status, MarkCue::kNone, 0, Eigen::Vector3d::Zero()};
     if (status == MarkStatus::kLocated) {
-      placed.cue = "texture (40 points)";
+      placed.cue = MarkCue::kTexture;
+      placed.num_points = 40;
       placed.p_C = Eigen::Vector3d(0.0, 0.25, 0.0);
     }
     marks.add(placed);
@@ -128,14 +160,40 @@ TEST(VerdictOfMarks, TellsHowOftenAMarkIsLocatedAndByWhat) {
   const std::vector<Finding> findings = findings_of(sightings(MarkStatus::kLocated, true, true).all());
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_TRUE(findings[0].ok);
-  EXPECT_EQ(findings[0].what, "red_book: located in 3 of 3 pairs, by texture (40 points), 0.250 m from the left lens");
+  EXPECT_EQ(findings[0].what,
+            "red_book: located in 3 of 3 pairs, by its texture (40 points), 0.250 m from the left lens");
+}
+
+// What is said of a mark that a message places, by what the message says that carries the position.
+std::string said_of_cue(std::int8_t cue) {
+  LocatedMark mark{};
+  mark.name = "blue_ball";
+  mark.status = LocatedMark::LOCATED;
+  mark.cue = cue;
+  mark.p_C.y = 0.25;
+  mark.num_features = 52;
+  TargetPose pose{};
+  pose.marks = {mark};
+  pose.num_marks = 1;
+  MarkSightings marks;
+  marks.add(SeenMark{"blue_ball", true, true});
+  add_to(marks, pose);
+  return findings_of(marks.all()).front().what;
+}
+
+TEST(VerdictOfMarks, TellsByWhatAPlainMarkIsLocated) {
+  EXPECT_EQ(said_of_cue(LocatedMark::CUE_OUTLINE),
+            "blue_ball: located in 1 of 1 pairs, by its outline (52 points), 0.250 m from the left lens");
+  EXPECT_EQ(said_of_cue(LocatedMark::CUE_CENTROID),
+            "blue_ball: located in 1 of 1 pairs, by the middle of its colour, 0.250 m from the left lens");
 }
 
 TEST(VerdictOfMarks, IsThatAMarkInViewIsNotLocatedAndWhy) {
   const std::vector<Finding> findings = findings_of(sightings(MarkStatus::kTooFewMatches, true, true).all());
   EXPECT_EQ(wrong(findings),
-            std::vector<std::string>{"red_book: seen, but too few of its points match (seen left in 3, "
-                                     "right in 3 of 3 pairs)"});
+            std::vector<std::string>{"red_book: seen, but neither its texture nor its outline tells where (seen left "
+                                     "in 3, right in 3 of 3 pairs)"});
+  EXPECT_THAT(findings.front().mend, testing::HasSubstr("outline")) << "a plain mark needs no texture";
 }
 
 TEST(VerdictOfMarks, IsThatNoneIsLocatedWhereNoneIsInView) {
@@ -148,7 +206,7 @@ TEST(VerdictOfMarks, IsThatNoneIsLocatedWhereNoneIsInView) {
 TEST(VerdictOfMarks, IsWellWhereOneIsLocatedAndAnotherOutOfView) {
   MarkSightings marks = sightings(MarkStatus::kLocated, true, true);
   marks.add(SeenMark{"blue_book", false, false});
-  marks.add(PlacedMark{"blue_book", MarkStatus::kUnseen, "", Eigen::Vector3d::Zero()});
+  marks.add(PlacedMark{"blue_book", MarkStatus::kUnseen, MarkCue::kNone, 0, Eigen::Vector3d::Zero()});
   EXPECT_TRUE(wrong(findings_of(marks.all())).empty());
 }
 

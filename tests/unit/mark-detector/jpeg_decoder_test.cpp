@@ -1,6 +1,7 @@
 #include "services/mark-detector/picture/jpeg_decoder.hpp"
 
 #include <gtest/gtest.h>
+#include <turbojpeg.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -28,6 +29,29 @@ Bytes jpeg_of(const cv::Mat& image, const std::vector<int>& parameters = {}) {
   return bytes;
 }
 
+// Of one colour, in those of print, as some printers' and editors' files are.
+Bytes cmyk_jpeg(cv::Size size) {
+  const Bytes pixels(static_cast<std::size_t>(4 * size.area()), 200);
+  unsigned char* data = nullptr;
+  unsigned long length = 0;
+  const tjhandle compressor = tjInitCompress();
+  EXPECT_EQ(
+      tjCompress2(compressor, pixels.data(), size.width, 0, size.height, TJPF_CMYK, &data, &length, TJSAMP_444, 90, 0),
+      0);
+  Bytes bytes(data, data + length);
+  tjFree(data);
+  tjDestroy(compressor);
+  return bytes;
+}
+
+// Says that the camera lay on its side: an EXIF segment with orientation 6 (turn by 90 degrees).
+Bytes lying(Bytes jpeg) {
+  const Bytes exif{0xFF, 0xE1, 0, 34, 'E', 'x', 'i', 'f', 0, 0, 'M', 'M', 0, 42, 0, 0, 0, 8,
+                   0,    1,    1, 18, 0,   3,   0,   0,   0, 1, 0,   6,   0, 0,  0, 0, 0, 0};
+  jpeg.insert(jpeg.begin() + 2, exif.begin(), exif.end());
+  return jpeg;
+}
+
 int most_different(const cv::Mat& a, const cv::Mat& b) {
   return static_cast<int>(cv::norm(a, b, cv::NORM_INF));
 }
@@ -51,6 +75,15 @@ TEST(JpegDecoder, TakesPicturesOfChangingSizes) {
     const Bytes bytes = jpeg_of(scene(size));
     EXPECT_EQ(most_different(decoder.unpack(bytes, size), cv::imdecode(bytes, cv::IMREAD_COLOR)), 0);
   }
+}
+
+TEST(JpegDecoder, GivesPicturesAsTheSensorSawThemInAnyColours) {
+  JpegDecoder decoder;
+  const Bytes print = lying(cmyk_jpeg({64, 48}));
+  ASSERT_EQ(cv::imdecode(print, cv::IMREAD_COLOR).size(), cv::Size(48, 64)) << "no turn is stated: this proves nothing";
+  EXPECT_EQ(decoder.unpack(print, {64, 48}).size(), cv::Size(64, 48));
+  EXPECT_TRUE(decoder.unpack(print, {48, 64}).empty());
+  EXPECT_EQ(decoder.unpack(lying(jpeg_of(scene({64, 48}))), {64, 48}).size(), cv::Size(64, 48));
 }
 
 TEST(JpegDecoder, RefusesWhatIsNone) {

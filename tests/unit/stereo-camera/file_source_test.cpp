@@ -271,7 +271,7 @@ TEST_F(SourceChoice, OfOneCameraNeedsSideBySide) {
 TEST_F(SourceChoice, NeedsAPossibleRate) {
   const TemporaryFolder folder;
   options_.left = options_.right = folder.write("a.png", "");
-  for (const double rate : {0.0, -1.0, 1e9, std::nan("")}) {
+  for (const double rate : {0.0, -1.0, 1e-15, 9e-4, 1e9, std::nan("")}) {
     options_.rate_hz = rate;
     EXPECT_THAT(error(), HasSubstr("--rate")) << rate;
   }

@@ -293,6 +293,24 @@ TEST_F(ForeignCalibration, OfRosNeedsBothFilesTheLeftOneFirst) {
   EXPECT_THAT(error_of({data("ros/left.yaml"), data("ros/right.yaml"), data("ros/right.yaml")}), HasSubstr("3 files"));
 }
 
+TEST_F(ForeignCalibration, OfRosIsInMetresAndInNoOtherUnit) {
+  CalibrationOptions millimetres;
+  millimetres.metres_per_unit = 0.1;
+  CalibrationOptions squares;
+  squares.board_square = 0.5;
+  const std::vector<std::string> files{data("ros/left.yaml"), data("ros/right.yaml")};
+  EXPECT_THAT(error_of(files, millimetres), AllOf(HasSubstr("in metres"), HasSubstr("--metres-per-unit is 0.1")));
+  EXPECT_THAT(error_of(files, squares), AllOf(HasSubstr("in metres"), HasSubstr("--board-square is 0.5")));
+}
+
+TEST_F(ForeignCalibration, OfRosIsToldByItsOwnKeys) {
+  const std::string left = folder_.write("left.yaml", topic("0.0"));
+  EXPECT_THAT(error_of({left, folder_.write("right.yaml", topic("36.0"))}),
+              AllOf(HasSubstr("right.yaml: key 'p' is "), HasSubstr("exchanged")));
+  EXPECT_THAT(error_of({folder_.write("off.yaml", topic("5.0")), folder_.write("right.yaml", topic("-36.0"))}),
+              HasSubstr("off.yaml: key 'p' is not at the left camera"));
+}
+
 TEST_F(ForeignCalibration, WhoseRowsDoNotAgreeIsRefused) {
   CalibrationText text;
   // The right camera looks 2 degrees up, and R2 does not know.

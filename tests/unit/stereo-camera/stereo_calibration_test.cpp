@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "calibration_text.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/stereo-camera/calibration/rectification.hpp"
@@ -20,8 +23,11 @@ class StereoCalibrationFile : public testing::Test {
  protected:
   // The error of loading `text`, or "accepted".
   std::string error_of(const std::string& text, const CalibrationOptions& options = {}) const {
+    return error_of_files({folder_.write("stereo.yml", text)}, options);
+  }
+  std::string error_of_files(const std::vector<std::string>& paths, const CalibrationOptions& options = {}) const {
     try {
-      load_stereo_calibration({folder_.write("stereo.yml", text)}, options);
+      load_stereo_calibration(paths, options);
     } catch (const ConfigurationError& error) {
       return error.what();
     }
@@ -101,6 +107,31 @@ TEST_F(StereoCalibrationFile, WithAKeyTwiceIsRefusedWithBothLines) {
   EXPECT_THAT(error_of("rms: 0.2\n" + good_.body()), HasSubstr("key 'rms' stands twice, on lines 1 and "));
 }
 
+TEST_F(StereoCalibrationFile, ThatEndsTooEarlyIsRefusedWithTheLine) {
+  for (const char* text :
+       {"<?xml version=\"1.0\"?>\n<opencv_storage>\n<rms>1", "<?xml version=\"1.0\"?>\n<opencv_storage>\n<rms>",
+        "<?xml version=\"1.0\"?>\n<opencv_storage>\n<rm", "<?xml version=\"1.0\"?>\n<opencv_storage>\n<rms>1</rms>"}) {
+    EXPECT_THAT(error_of(std::string(text)),
+                AllOf(HasSubstr("stereo.yml: line 3: "), HasSubstr("allowed: well-formed XML"),
+                      Not(HasSubstr("OpenCV(")), Not(HasSubstr("\n"))))
+        << text;
+  }
+}
+
+// Some beginnings of a file crash OpenCV's parser.
+TEST_F(StereoCalibrationFile, ThatIsTheBeginningOfAnXmlIsRefused) {
+  const std::string whole =
+      "<?xml version=\"1.0\"?>\n<opencv_storage>\n<!-- a -->\n<K1 type_id=\"opencv-matrix\">\n<rows>1</rows>\n"
+      "<cols>2</cols>\n<dt>d</dt>\n<data>\n50. 0.</data></K1>\n<name>\"text\"</name>\n</opencv_storage>";
+  for (std::size_t length = 1; length < whole.size(); ++length) {
+    EXPECT_THAT(error_of(whole.substr(0, length)), AllOf(HasSubstr("stereo.yml: line "), Not(HasSubstr("OpenCV("))));
+  }
+}
+
+TEST_F(StereoCalibrationFile, MayBeNoFolder) {
+  EXPECT_THAT(error_of_files({folder_.file("")}), AllOf(HasSubstr("is not a file"), HasSubstr("allowed")));
+}
+
 TEST_F(StereoCalibrationFile, MustBeThere) {
   EXPECT_THROW(load_stereo_calibration({folder_.file("absent.yml")}, {}), ConfigurationError);
 }
@@ -136,7 +167,9 @@ TEST_F(StereoCalibrationFile, MayHaveNoMatrixOfAnotherShapeOrKind) {
 
 TEST_F(StereoCalibrationFile, MayHaveNoMatrixOfWhichAPartIsMissing) {
   for (const char* K1 : {"{cols: 1, data: [1, 2, 3]}", "{rows: 3, data: [1, 2, 3]}", "{rows: 3, cols: 3}", "{a: 1}",
-                         "{rows: [], cols: 1, data: [1]}", "{rows: 1, cols: 1, data: 5}", "[[1, 2], 3]"}) {
+                         "{rows: [], cols: 1, data: [1]}", "{rows: 1, cols: 1, data: 5}", "[[1, 2], 3]",
+                         "{rows: 4.5, cols: 2, data: [1, 2, 3, 4, 5, 6, 7, 8, 9]}",
+                         "{rows: 1.5, cols: 2, data: [1, 2, 3]}", "{rows: -1, cols: -1, data: [1]}"}) {
     EXPECT_THAT(error_of(CalibrationText().set("K1", K1)), HasSubstr("'K1' is ")) << K1;
   }
 }
@@ -176,6 +209,34 @@ TEST_F(StereoCalibrationFile, IsRefusedAboveHalfAPixelOfErrorUnlessToldOtherwise
     EXPECT_EQ(error_of(CalibrationText().set(key, "0.49")), "accepted");
   }
   EXPECT_EQ(error_of(CalibrationText().remove("rms"), any), "accepted");
+}
+
+TEST_F(StereoCalibrationFile, IsRefusedForAnErrorThatEitherOfTwoFilesStates) {
+  CalibrationText silent = good_;
+  const std::string none = folder_.write("none.yml", silent.remove("rms").text());
+  const std::string bad = folder_.write("bad.yml", CalibrationText().set("rms", "5").text());
+  const auto error = [&](const std::string& first, const std::string& second) {
+    return error_of_files({first, second});
+  };
+  EXPECT_THAT(error(bad, bad), AllOf(HasSubstr("bad.yml"), HasSubstr("'rms' is 5 px")));
+  EXPECT_THAT(error(bad, none), HasSubstr("'rms' is 5 px"));
+  EXPECT_THAT(error(none, bad), HasSubstr("'rms' is 5 px"));
+  EXPECT_THAT(error(none, none), HasSubstr("'rms' is missing")) << "one file, named twice";
+  const std::string also_none = folder_.write("also_none.yml", silent.text());
+  EXPECT_THAT(load_stereo_calibration({none, also_none}, {}).warnings,
+              testing::ElementsAre(HasSubstr("none.yml: states no reprojection error")));
+  const std::string good = folder_.write("good.yml", good_.text());
+  EXPECT_TRUE(load_stereo_calibration({none, good}, {}).warnings.empty()) << "it is stated";
+}
+
+TEST_F(StereoCalibrationFile, NamesTheLensOfFourCoefficients) {
+  const std::string four = matrix_text(1, 4, {"0.", "0.", "0.", "0."});
+  const auto warnings = [&](const std::string& key) {
+    const std::string path = folder_.write("four.yml", CalibrationText().set(key, four).text());
+    return load_stereo_calibration({path}, {}).warnings;
+  };
+  EXPECT_THAT(warnings("D1"), testing::ElementsAre(HasSubstr("'D1' has exactly 4")));
+  EXPECT_THAT(warnings("D2"), testing::ElementsAre(HasSubstr("'D2' has exactly 4")));
 }
 
 TEST_F(StereoCalibrationFile, NeedsAPositiveBaseline) {
@@ -226,6 +287,17 @@ TEST_F(StereoCalibrationFile, MayBeXml) {
     xml << "image_size" << cv::Size(64, 48) << "rms" << 0.2;
   }
   EXPECT_DOUBLE_EQ(rectified_camera(load_stereo_calibration({path}, {})).baseline, 0.1);
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(error_of("\xEF\xBB\xBF" + text), "accepted") << "a mark that Windows' editors set";
+}
+
+// Rectification knows no skew: what it ignored would be measured wrong.
+TEST_F(StereoCalibrationFile, MayHaveNoSkew) {
+  const std::string K = matrix_text(3, 3, {"50.", "40.", "31.5", "0.", "50.", "23.5", "0.", "0.", "1."});
+  for (const char* key : {"K1", "K2"}) {
+    EXPECT_THAT(error_of(CalibrationText().set(key, K)), AllOf(HasSubstr(key), HasSubstr("skewed pixels (40 px)")));
+  }
 }
 
 TEST_F(StereoCalibrationFile, OfIdealCamerasLeavesPicturesAsTheyAre) {

@@ -134,6 +134,7 @@ TEST_F(VideoPair, TellsItsOffsetByWhatMoves) {
   const std::string option = ": --offset-s ";
   const std::size_t at = result.output.find(option);
   ASSERT_NE(at, std::string::npos) << result.output;
+  EXPECT_LT(result.output.find("--estimate-offset: looking for what moves"), at) << "it takes its time";
   EXPECT_NEAR(std::stod(result.output.substr(at + option.size())), -0.4, 0.01);
   EXPECT_EQ(read_frames(log()).size(), 42U);
   expect_every_disparity_right();
