@@ -100,11 +100,11 @@ parallel_jobs() {
   printf '%d\n' $((cores < by_memory ? cores : by_memory))
 }
 
-# project_files [REGEX]: the project's own files, tracked by git, relative to $repository, whose path matches; in a copy
-# without git all that is not built or recorded.
+# project_files [REGEX]: the project's own files, relative to $repository, whose path matches: what git tracks, and what is
+# new and not ignored; in a copy without git all that is not built or recorded.
 project_files() {
   local list
-  list=$(git -C "$repository" ls-files 2>/dev/null) ||
+  list=$(git -C "$repository" ls-files --cached --others --exclude-standard 2>/dev/null) ||
     list=$(cd -- "$repository" &&
       find . -type d \( -name .git -o -path ./build -o -path ./logs \) -prune -o -type f -printf '%P\n')
   # A file that is tracked but was just deleted is not there to be read.
