@@ -175,8 +175,8 @@ TEST_F(StereoCameraCommand, RefusesADeviceThatIsNotThere) {
 
 TEST_F(StereoCameraCommand, RefusesARateOfZeroOrLess) {
   sequence(1);
-  expect_refused(run({"--fx", "50", "--baseline", "0.1", "--rate", "0"}), {"--rate", "above 0"});
-  expect_refused(run({"--fx", "50", "--baseline", "0.1", "--rate", "-5"}), {"--rate", "above 0"});
+  expect_refused(run({"--fx", "50", "--baseline", "0.1", "--rate", "0"}), {"--rate", "allowed: 0.001 to 1000"});
+  expect_refused(run({"--fx", "50", "--baseline", "0.1", "--rate", "-5"}), {"--rate", "allowed: 0.001 to 1000"});
 }
 
 TEST_F(StereoCameraCommand, RefusesALogWithoutEnd) {
