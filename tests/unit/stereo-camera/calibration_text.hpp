@@ -56,9 +56,9 @@ class CalibrationText {
 
   // Without the header.
   std::string body() const {
-    std::string text;
-    for (const auto& [key, value] : keys_) text += key + ": " + value + "\n";
-    return text;
+    std::ostringstream text;
+    for (const auto& [key, value] : keys_) text << key << ": " << value << "\n";
+    return text.str();
   }
   std::string text() const { return "%YAML:1.0\n---\n" + body(); }
 

@@ -124,8 +124,8 @@ TEST_F(VideoPair, TellsItsOffsetByWhatMoves) {
   std::vector<TimedImage> right;
   for (int i = 0; i < static_cast<int>(places.size()); ++i) {
     const int place = places[static_cast<std::size_t>(i)];
-    left.push_back({50 * i, picture_with_square(place)});
-    if (i >= 8) right.push_back({50 * (i - 8), picture_with_square(place - 30)});
+    left.push_back({std::int64_t{50} * i, picture_with_square(place)});
+    if (i >= 8) right.push_back({std::int64_t{50} * (i - 8), picture_with_square(place - 30)});
   }
   write_video(folder_.file("left.mkv"), left, {20.0, {}});
   write_video(folder_.file("right.mkv"), right, {20.0, {}});
@@ -143,7 +143,7 @@ TEST_F(VideoPair, TellsItsOffsetByWhatMoves) {
 TEST_F(VideoPair, InWhichNothingMovesDoesNotTellItsOffset) {
   write("left", std::vector<int>(20, 0), 0);
   std::vector<TimedImage> still;
-  for (int i = 0; i < 20; ++i) still.push_back({67 * i, picture_with_square(60)});
+  for (int i = 0; i < 20; ++i) still.push_back({std::int64_t{67} * i, picture_with_square(60)});
   for (const char* side : {"left.mkv", "right.mkv"}) write_video(folder_.file(side), still, {15.0, {}});
   const CommandResult result = run({"--estimate-offset"});
   EXPECT_EQ(result.exit_code, 2) << result.output;
