@@ -204,7 +204,8 @@ TEST_F(LogTool, WritesATablePerChannel) {
 std::vector<OwnedEvent> two_channels(int count) {
   std::vector<OwnedEvent> events;
   for (int i = 0; i < count; ++i) {
-    events.push_back({i, 1'700'000'000'000'000 + 100'000 * i, i % 2 == 0 ? "A" : "B", "message " + std::to_string(i)});
+    events.push_back(
+        {i, 1'700'000'000'000'000 + std::int64_t{100'000} * i, i % 2 == 0 ? "A" : "B", "message " + std::to_string(i)});
   }
   return events;
 }

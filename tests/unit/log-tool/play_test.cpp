@@ -164,14 +164,14 @@ TEST(PlayPlan, SaysWhichOfAnotherSystemsChannelsItPlays) {
 
 TEST(PlayPlan, HasNoMessageThatTheBusWouldLose) {
   const std::vector<OwnedEvent> events = {{0, 1, "MAP", std::string(8'000'000, 'x')},
-                                          {1, 2, "MAP", std::string(40'000'000, 'x')}};
+                                          {1, 2, "MAP", std::string(8'300'000, 'x')}};
   PlayWishes wishes = named("MAP");
   const PlayPlan plan = plan_of(views(events), wishes, reflection::TypeCatalog::ours());
   ASSERT_EQ(plan.events.size(), 1U);
   EXPECT_EQ(plan.events[0].number, 0);
   EXPECT_EQ(
       left_out_text(plan),
-      (std::vector<std::string>{"left out: 1 message on MAP of up to 40.0 MB: above 8 MB a bus by UDP loses them"}));
+      (std::vector<std::string>{"left out: 1 message on MAP of up to 8.3 MB: above 8 MB a bus by UDP loses them"}));
   wishes.by_udp = false;
   EXPECT_EQ(plan_of(views(events), wishes, reflection::TypeCatalog::ours()).events.size(), 2U);
 }
