@@ -14,7 +14,6 @@
 namespace markservo::stereo_camera {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
 cv::Mat noise(cv::Size size, int seed) {
@@ -27,7 +26,7 @@ cv::Mat noise(cv::Size size, int seed) {
 class StereoCameraCommand : public testing::Test {
  protected:
   std::string picture(const std::string& name, cv::Size size, int seed) const {
-    const std::string path = folder_.file(name);
+    std::string path = folder_.file(name);
     cv::imwrite(path, noise(size, seed));
     return path;
   }
