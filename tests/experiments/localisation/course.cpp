@@ -185,30 +185,11 @@ CoursePlan plan_course(const LocalisationCase& the_case, const robot::TagField& 
 
 Drive drive(const robot::RobotDescription& robot, const simulator::BaseRigParameters& parameters,
             const CoursePlan& plan, std::uint64_t seed) {
-  simulator::BaseRig rig(robot, parameters, plan.start, seed, kEpoch_us);
   CourseControl control(plan);
-  Drive drive;
-  constexpr double dt = static_cast<double>(simulator::BaseRig::kOdometryPeriod_us) * 1e-6;
-  const auto take = [&] {
-    simulator::BaseOutputs outputs = rig.take_due();
-    for (auto& round : outputs.rounds) drive.rounds.push_back(std::move(round));
-    if (!outputs.odometry) return;
-    const simulator::BaseTruth truth = rig.truth();
-    drive.odometry.push_back(*outputs.odometry);
-    drive.truth.push_back({seconds(outputs.odometry->utime),
-                           {truth.pose.x, truth.pose.y},
-                           truth.pose.heading,
-                           truth.speed,
-                           truth.turn_rate});
-    const Eigen::Vector2d command = control.command(truth, drive.truth.back().time, dt);
-    rig.command(command[0], command[1]);
+  const Steering steer = [&](const simulator::BaseTruth& truth, double time) {
+    return control.command(truth, time, kControlPeriod);
   };
-  take();
-  while (seconds(rig.utime()) < plan.duration) {
-    rig.step();
-    take();
-  }
-  return drive;
+  return record_drive(robot, parameters, plan.start, plan.duration, steer, seed);
 }
 
 }  // namespace markservo::experiments

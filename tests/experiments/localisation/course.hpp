@@ -1,23 +1,15 @@
 #pragma once
 
-// A drive of the simulated base along a course, and all that was told and true meanwhile.
+// Courses of the simulated base.
 
 #include <cstdint>
 #include <vector>
 
 #include "common/robot/robot_description.hpp"
-#include "services/simulator/base/base_rig.hpp"
 #include "tests/experiments/localisation/cases.hpp"
-#include "tests/experiments/localisation/true_path.hpp"
+#include "tests/experiments/localisation/recorded_drive.hpp"
 
 namespace markservo::experiments {
-
-inline constexpr std::int64_t kEpoch_us = 1'000'000'000;  // begin of every drive
-
-// s since the drive's begin
-inline double seconds(std::int64_t utime) {
-  return static_cast<double>(utime - kEpoch_us) * 1e-6;
-}
 
 // The speed wanted from a time on.
 struct SpeedChange {
@@ -37,14 +29,7 @@ struct CoursePlan {
 // The course of a case's `seed`: its random offsets, headings and speeds.
 CoursePlan plan_course(const LocalisationCase& the_case, const robot::TagField& field, std::uint64_t seed);
 
-struct Drive {
-  std::vector<simulator::TagRound> rounds;           // as they arrived
-  std::vector<simulator::OdometryReading> odometry;  // 50 Hz
-  std::vector<PathPoint> truth;                      // at each odometry, by seconds()
-};
-
-// Drives the plan. The commands come from the true pose, so that the course is really followed whatever the encoders
-// say: what a case asks is the localizer's error on a known course, not a controller's.
+// Drives the plan.
 Drive drive(const robot::RobotDescription& robot, const simulator::BaseRigParameters& rig, const CoursePlan& plan,
             std::uint64_t seed);
 

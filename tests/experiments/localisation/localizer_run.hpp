@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/experiments/localisation/course.hpp"
 #include "tests/experiments/localisation/live_score.hpp"
 #include "tests/experiments/localisation/paper_score.hpp"
+#include "tests/experiments/localisation/recorded_drive.hpp"
 
 namespace markservo::experiments {
 

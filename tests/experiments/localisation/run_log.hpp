@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/experiments/localisation/course.hpp"
+#include "tests/experiments/localisation/recorded_drive.hpp"
 
 namespace markservo::experiments {
 

@@ -8,6 +8,8 @@
 
 #include "common/geometry/plane_pose.hpp"
 #include "services/simulator/random.hpp"
+#include "tests/experiments/localisation/course.hpp"
+#include "tests/experiments/localisation/described_reader.hpp"
 #include "tests/experiments/localisation/field_box.hpp"
 #include "tests/experiments/localisation/fisher_bound.hpp"
 #include "tests/experiments/localisation/gaussian_radius.hpp"
@@ -118,12 +120,7 @@ class Trial {
   BoundInput bound_input(const std::vector<double>& times) const {
     const robot::RfidDescription& rfid = *robot_.rfid;
     BoundInput input;
-    input.reader.p_RF = rfid.p_RF;
-    input.reader.reading_radius = rfid.reading_radius;
-    input.reader.edge_softness = rfid.edge_softness;
-    input.reader.read_probability = rfid.read_probability;
-    input.reader.round_time = rfid.round_time;
-    for (const auto& tag : field().tags) input.reader.tags.push_back(tag.p_W);
+    input.reader = described_reader(rfid, field());
     bool read = false;
     for (const auto& round : drive_.rounds) {
       read = read || !round.hits.empty();

@@ -22,11 +22,6 @@ constexpr double kPivotGain = 4.0;    // 1/s
 constexpr double kThere = 0.003;      // m
 constexpr double kTurned = 0.005;     // rad
 
-struct Command {
-  double speed = 0.0;      // m/s
-  double turn_rate = 0.0;  // rad/s
-};
-
 // Follows the legs, one after the other.
 class LegControl {
  public:
@@ -38,8 +33,8 @@ class LegControl {
 
   const PlanePose& start() const { return start_; }
 
-  // The command for the base at `pose`, `time` s after the begin; called every `dt` s.
-  Command command(const PlanePose& pose, double time, double dt) {
+  // Speed (m/s) and turn rate (rad/s) for the base at `pose`, `time` s after the begin; called every `dt` s.
+  Eigen::Vector2d command(const PlanePose& pose, double time, double dt) {
     if (time >= course_.leg_time * (legs_ + 1) && legs_ + 1 < course_.pivots) {
       ++legs_;
       pivoting_ = false;
@@ -64,14 +59,14 @@ class LegControl {
     next_heading_ = next == 0 ? (next_up ? 0.0 : M_PI) : (next_up ? 0.5 * M_PI : -0.5 * M_PI);
   }
 
-  Command follow(const PlanePose& pose, double dt) {
+  Eigen::Vector2d follow(const PlanePose& pose, double dt) {
     const Eigen::Vector2d along(std::cos(heading_), std::sin(heading_));
     const Eigen::Vector2d from_begin = Eigen::Vector2d(pose.x, pose.y) - begin_;
     const double left = length_ - along.dot(from_begin);
     if (left < kThere) {
       pivoting_ = true;
       speed_ = 0.0;
-      return {};
+      return Eigen::Vector2d::Zero();
     }
     const double wanted = std::min(course_.speed, std::sqrt(kAcceleration * left));
     speed_ = std::min(wanted, speed_ + kAcceleration * dt);
@@ -81,9 +76,9 @@ class LegControl {
     return {speed_, turn};
   }
 
-  Command pivot(const PlanePose& pose) const {
+  Eigen::Vector2d pivot(const PlanePose& pose) const {
     const double missing = geometry::wrapped(next_heading_ - pose.heading);
-    if (std::abs(missing) < kTurned) return {};
+    if (std::abs(missing) < kTurned) return Eigen::Vector2d::Zero();
     return {0.0, std::clamp(kPivotGain * missing, -course_.pivot_rate, course_.pivot_rate)};
   }
 
@@ -105,31 +100,10 @@ class LegControl {
 Drive drive_with_pivots(const robot::RobotDescription& robot, const simulator::BaseRigParameters& parameters,
                         const PivotDrive& course, std::uint64_t seed) {
   LegControl control(course, field_box(robot.floor_tags->field(parameters.tag_field)), seed);
-  simulator::BaseRig rig(robot, parameters, control.start(), seed, kEpoch_us);
-  constexpr double dt = static_cast<double>(simulator::BaseRig::kOdometryPeriod_us) * 1e-6;
-  Drive drive;
-  const auto take = [&] {
-    simulator::BaseOutputs outputs = rig.take_due();
-    for (auto& round : outputs.rounds) drive.rounds.push_back(std::move(round));
-    if (!outputs.odometry) return;
-    const simulator::BaseTruth truth = rig.truth();
-    drive.odometry.push_back(*outputs.odometry);
-    drive.truth.push_back({seconds(outputs.odometry->utime),
-                           {truth.pose.x, truth.pose.y},
-                           truth.pose.heading,
-                           truth.speed,
-                           truth.turn_rate,
-                           truth.wheel_travel,
-                           truth.turned});
-    const Command command = control.command(truth.pose, drive.truth.back().time, dt);
-    rig.command(command.speed, command.turn_rate);
+  const Steering steer = [&](const simulator::BaseTruth& truth, double time) {
+    return control.command(truth.pose, time, kControlPeriod);
   };
-  take();
-  while (seconds(rig.utime()) < course.leg_time * course.pivots) {
-    rig.step();
-    take();
-  }
-  return drive;
+  return record_drive(robot, parameters, control.start(), course.leg_time * course.pivots, steer, seed);
 }
 
 }  // namespace markservo::experiments

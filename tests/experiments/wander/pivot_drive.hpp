@@ -6,7 +6,7 @@
 
 #include "common/robot/robot_description.hpp"
 #include "services/simulator/base/base_rig.hpp"
-#include "tests/experiments/localisation/course.hpp"
+#include "tests/experiments/localisation/recorded_drive.hpp"
 
 namespace markservo::experiments {
 
@@ -19,8 +19,7 @@ struct PivotDrive {
   double turning_band = 0.8;                    // m, within which the legs end on either side
 };
 
-// Legs along W's axes from one side of the field to the other. The commands come from the true pose, as those of
-// drive() do. The truth tells how far the wheels went and turned.
+// Legs along W's axes from one side of the field to the other.
 Drive drive_with_pivots(const robot::RobotDescription& robot, const simulator::BaseRigParameters& rig,
                         const PivotDrive& course, std::uint64_t seed);
 

@@ -5,6 +5,7 @@
 
 #include "services/rfid-localizer/localizer.hpp"
 #include "services/rfid-localizer/robot_parameters.hpp"
+#include "tests/experiments/localisation/described_reader.hpp"
 #include "tests/experiments/localisation/field_box.hpp"
 #include "tests/experiments/localisation/fisher_bound.hpp"
 #include "tests/experiments/localisation/gaussian_radius.hpp"
@@ -82,12 +83,7 @@ double mean_bound(const Drive& drive, const robot::RobotDescription& robot, cons
   const robot::RfidDescription& rfid = *robot.rfid;
   const robot::TagField& field = robot.floor_tags->field(run.tag_field);
   BoundInput input;
-  input.reader.p_RF = rfid.p_RF;
-  input.reader.reading_radius = rfid.reading_radius;
-  input.reader.edge_softness = rfid.edge_softness;
-  input.reader.read_probability = rfid.read_probability;
-  input.reader.round_time = rfid.round_time;
-  for (const auto& tag : field.tags) input.reader.tags.push_back(tag.p_W);
+  input.reader = described_reader(rfid, field);
   for (const auto& round : drive.rounds) {
     input.rounds.push_back({seconds(round.utime) - rfid.delay, seconds(round.utime)});
   }

@@ -7,7 +7,7 @@
 
 #include "common/robot/robot_description.hpp"
 #include "services/rfid-localizer/wheel_judge.hpp"
-#include "tests/experiments/localisation/course.hpp"
+#include "tests/experiments/localisation/recorded_drive.hpp"
 
 namespace markservo::experiments {
 
