@@ -1,11 +1,11 @@
-#include "services/mark-detector/picture/jpeg_decoder.hpp"
+#include "common/frames/jpeg_decoder.hpp"
 
 #include <turbojpeg.h>
 
 #include <new>
 #include <opencv2/imgcodecs.hpp>
 
-namespace markservo::mark_detector {
+namespace markservo::frames {
 namespace {
 
 // By OpenCV, without the orientation that EXIF states; empty if it cannot or finds another size.
@@ -56,4 +56,4 @@ JpegDecoder::Outcome JpegDecoder::decompress(const std::vector<std::uint8_t>& by
   return tjGetErrorCode(decompressor_.get()) == TJERR_WARNING ? Outcome::kDamaged : Outcome::kUnreadable;
 }
 
-}  // namespace markservo::mark_detector
+}  // namespace markservo::frames

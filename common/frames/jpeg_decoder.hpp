@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace markservo::mark_detector {
+namespace markservo::frames {
 
 class JpegDecoder {
  public:
@@ -30,4 +30,4 @@ class JpegDecoder {
   cv::Mat picture_;
 };
 
-}  // namespace markservo::mark_detector
+}  // namespace markservo::frames

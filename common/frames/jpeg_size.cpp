@@ -1,8 +1,8 @@
-#include "services/mark-detector/picture/jpeg_size.hpp"
+#include "common/frames/jpeg_size.hpp"
 
 #include <cstddef>
 
-namespace markservo::mark_detector {
+namespace markservo::frames {
 namespace {
 
 constexpr std::uint8_t kMarkerPrefix = 0xFF;
@@ -48,4 +48,4 @@ std::optional<JpegSize> jpeg_size(const std::vector<std::uint8_t>& bytes) {
   }
 }
 
-}  // namespace markservo::mark_detector
+}  // namespace markservo::frames

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-namespace markservo::mark_detector {
+namespace markservo::frames {
 
 struct JpegSize {
   int width = 0;   // px, 1 to 65535
@@ -16,4 +16,4 @@ struct JpegSize {
 // hold anything but marker segments before it, or state no size.
 std::optional<JpegSize> jpeg_size(const std::vector<std::uint8_t>& bytes);
 
-}  // namespace markservo::mark_detector
+}  // namespace markservo::frames

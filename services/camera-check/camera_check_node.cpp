@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <markservo/StereoFrame.hpp>
-#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
 
 #include "common/bus/bus.hpp"
+#include "common/frames/frame_side.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/camera-check/marks/mark_messages.hpp"
 
@@ -13,17 +14,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// One side; raw ones are not copied. Throws ConfigurationError.
-cv::Mat picture_of(const StereoFrame& frame, const std::vector<std::uint8_t>& side, const char* name) {
-  if (frame.encoding == StereoFrame::ENCODING_BGR8) {
-    return {frame.height, frame.width, CV_8UC3, const_cast<std::uint8_t*>(side.data())};
+// What cannot be read is no fault of the cameras.
+PairReport pair_report(const StereoFrame& frame) {
+  frames::JpegDecoder left;
+  frames::JpegDecoder right;
+  try {
+    return report_of(frames::picture_of(frame, frame.left, "the left picture of a pair", left),
+                     frames::picture_of(frame, frame.right, "the right picture of a pair", right),
+                     frame.calibration.cx_left - frame.calibration.cx_right);
+  } catch (const std::runtime_error& error) {
+    throw ConfigurationError(error.what());
   }
-  cv::Mat picture = cv::imdecode(side, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-  if (picture.cols != frame.width || picture.rows != frame.height) {
-    throw ConfigurationError("the " + std::string(name) + " picture of a pair cannot be read; allowed: a JPEG of " +
-                             std::to_string(frame.width) + " x " + std::to_string(frame.height) + " px");
-  }
-  return picture;
 }
 
 Json json_of(const PictureReport& picture) {
@@ -74,9 +75,7 @@ void CameraCheckNode::add_log(const std::string& path) {
   bus.spin();
   pairs_ += pairs;
   if (pairs == 0) return;
-  const StereoCalibration& calibration = newest.calibration;
-  pair_ = report_of(picture_of(newest, newest.left, "left"), picture_of(newest, newest.right, "right"),
-                    calibration.cx_left - calibration.cx_right);
+  pair_ = pair_report(newest);
 }
 
 std::vector<Finding> CameraCheckNode::findings() const {

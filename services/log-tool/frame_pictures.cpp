@@ -1,6 +1,10 @@
 #include "services/log-tool/frame_pictures.hpp"
 
-#include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <vector>
+
+#include "common/frames/jpeg_decoder.hpp"
+#include "common/frames/jpeg_size.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -17,17 +21,16 @@ cv::Mat picture(const reflection::Fields& frame, const char* side) {
   const auto height = reflection::integer_in(frame, "height", 0);
   const auto encoding = reflection::integer_in(frame, "encoding", -1);
   if (bytes == nullptr || bytes->size == 0) return {};
-  // OpenCV's matrices take no const data; both only read it.
-  auto* data = const_cast<std::uint8_t*>(bytes->data);
   if (encoding == kJpeg) {
-    try {
-      return cv::imdecode(cv::Mat(1, static_cast<int>(bytes->size), CV_8U, data), cv::IMREAD_COLOR);
-    } catch (const cv::Exception&) {
-      return {};  // it claims an absurd size
-    }
+    const std::vector<std::uint8_t> file(bytes->data, bytes->data + bytes->size);
+    const std::optional<frames::JpegSize> size = frames::jpeg_size(file);
+    if (!size || size->width > kMostPixels || size->height > kMostPixels) return {};
+    return frames::JpegDecoder().unpack(file, {size->width, size->height});
   }
   if (encoding != kBgr8 || width < 1 || height < 1 || width > kMostPixels || height > kMostPixels) return {};
   if (bytes->size != static_cast<std::size_t>(3 * width * height)) return {};
+  // OpenCV's matrices take no const data; this one is only read.
+  auto* data = const_cast<std::uint8_t*>(bytes->data);
   return cv::Mat(static_cast<int>(height), static_cast<int>(width), CV_8UC3, data);
 }
 

@@ -5,50 +5,18 @@
 #include <markservo/MarkDetection.hpp>
 #include <markservo/StereoFrame.hpp>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "common/bus/options.hpp"
+#include "common/frames/frame_side.hpp"
 #include "common/logging/log.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/colour/colour_overlap.hpp"
 #include "services/mark-detector/detection_message.hpp"
 #include "services/mark-detector/mark_option.hpp"
-#include "services/mark-detector/picture/jpeg_size.hpp"
 #include "services/mark-detector/picture/picture.hpp"
 
 namespace markservo::mark_detector {
-namespace {
-
-std::runtime_error not_a_jpeg(const char* name) {
-  return std::runtime_error(std::string(name) + " is no JPEG that can be read");
-}
-
-void require_frame_size(const StereoFrame& frame, const JpegSize& size, const char* name) {
-  if (size.width == frame.width && size.height == frame.height) return;
-  throw std::runtime_error(std::string(name) + "'s JPEG is " + std::to_string(size.width) + " x " +
-                           std::to_string(size.height) + " px; allowed: the frame's " + std::to_string(frame.width) +
-                           " x " + std::to_string(frame.height) + " px");
-}
-
-// One side of a frame as an image; raw sides are not copied and must outlive it, as must the decoder. Throws
-// std::runtime_error.
-cv::Mat decode(const StereoFrame& frame, const std::vector<std::uint8_t>& side, const char* name,
-               JpegDecoder& decoder) {
-  if (frame.encoding == StereoFrame::ENCODING_BGR8) {
-    return {frame.height, frame.width, CV_8UC3, const_cast<std::uint8_t*>(side.data())};
-  }
-  // Before any pixel is decoded: a small message can claim an image of gigabytes.
-  const std::optional<JpegSize> size = jpeg_size(side);
-  if (!size) throw not_a_jpeg(name);
-  require_frame_size(frame, *size, name);
-  cv::Mat image = decoder.unpack(side, {frame.width, frame.height});
-  if (image.empty()) throw not_a_jpeg(name);
-  return image;
-}
-
-}  // namespace
-
 void MarkDetectorNode::add_options(CLI::App& app) {
   const bus::Options add(app);
   add.flag("--no-equalise", no_equalise_, "Take images as they are, without histogram equalisation");
@@ -135,8 +103,9 @@ void MarkDetectorNode::start(bus::Bus& bus) {
 void MarkDetectorNode::on_frame(const StereoFrame& frame) {
   // Unpacking a JPEG takes longer than finding the marks in it. Raw sides are not even copied: no thread for them.
   const auto policy = frame.encoding == StereoFrame::ENCODING_JPEG ? std::launch::async : std::launch::deferred;
-  auto right_side = std::async(policy, [&] { return decode(frame, frame.right, "right", jpeg_decoders_[1]); });
-  const cv::Mat left = decode(frame, frame.left, "left", jpeg_decoders_[0]);
+  auto right_side =
+      std::async(policy, [&] { return frames::picture_of(frame, frame.right, "right", jpeg_decoders_[1]); });
+  const cv::Mat left = frames::picture_of(frame, frame.left, "left", jpeg_decoders_[0]);
   const cv::Mat right = right_side.get();
   Input input;
   input.left = view_of(left);

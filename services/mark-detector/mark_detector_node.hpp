@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "common/bus/service.hpp"
+#include "common/frames/jpeg_decoder.hpp"
 #include "services/mark-detector/learning/learn_options.hpp"
 #include "services/mark-detector/mark_detector.hpp"
-#include "services/mark-detector/picture/jpeg_decoder.hpp"
 #include "services/mark-detector/picture/picture_options.hpp"
 
 namespace markservo::mark_detector {
@@ -38,7 +38,7 @@ class MarkDetectorNode final : public bus::Service {
   Parameters parameters_;
   std::optional<MarkDetector> detector_;
   State state_;
-  std::array<JpegDecoder, 2> jpeg_decoders_;  // left, right: both at once
+  std::array<frames::JpegDecoder, 2> jpeg_decoders_;  // left, right: both at once
   std::optional<bus::Publisher<MarkDetection>> publisher_;
 };
 

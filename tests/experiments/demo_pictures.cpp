@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/frames/frame_side.hpp"
+
 namespace markservo::experiments {
 namespace {
 
@@ -33,9 +35,9 @@ const Answer* answer_to(const StereoFrame& frame, const std::deque<Answer>& answ
   return nullptr;
 }
 
-cv::Mat decode(const StereoFrame& frame, const std::vector<std::uint8_t>& bytes) {
-  if (frame.encoding == StereoFrame::ENCODING_JPEG) return cv::imdecode(bytes, cv::IMREAD_COLOR);
-  return cv::Mat(frame.height, frame.width, CV_8UC3, const_cast<std::uint8_t*>(bytes.data())).clone();
+cv::Mat decode(const StereoFrame& frame, const std::vector<std::uint8_t>& side, const char* name) {
+  frames::JpegDecoder decoder;
+  return frames::picture_of(frame, side, name, decoder).clone();
 }
 
 void write_text(cv::Mat& image, const std::string& text, cv::Point at, double scale) {
@@ -101,8 +103,8 @@ void Eyes::write(const std::string& path, const std::string& title) const {
            answer_to(frame, poses_) != nullptr;
   });
   const StereoFrame& frame = complete == frames_.rend() ? frames_.back() : *complete;
-  cv::Mat left = decode(frame, frame.left);
-  cv::Mat right = decode(frame, frame.right);
+  cv::Mat left = decode(frame, frame.left, "left");
+  cv::Mat right = decode(frame, frame.right, "right");
   if (left.empty() || right.empty()) return;
   const MarkDetection* detection = answer_to(frame, detections_);
   if (detection != nullptr) {

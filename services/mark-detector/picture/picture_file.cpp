@@ -1,13 +1,18 @@
 #include "services/mark-detector/picture/picture_file.hpp"
 
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <opencv2/imgcodecs.hpp>
+#include <vector>
 
 #include "common/robot/configuration_error.hpp"
 
 namespace markservo::mark_detector {
 
+namespace {
+
+// The picture in `bytes`, 8-bit BGR; an empty image if they are none.
 cv::Mat decode_picture(const std::vector<std::uint8_t>& bytes) {
   try {
     return bytes.empty() ? cv::Mat() : cv::imdecode(bytes, cv::IMREAD_COLOR);
@@ -15,6 +20,8 @@ cv::Mat decode_picture(const std::vector<std::uint8_t>& bytes) {
     return {};
   }
 }
+
+}  // namespace
 
 cv::Mat read_picture(const std::string& option, const std::string& path) {
   // Not cv::imread, which writes warnings of its own.

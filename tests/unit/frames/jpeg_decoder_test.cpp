@@ -1,4 +1,4 @@
-#include "services/mark-detector/picture/jpeg_decoder.hpp"
+#include "common/frames/jpeg_decoder.hpp"
 
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace markservo::mark_detector {
+namespace markservo::frames {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -118,4 +118,4 @@ TEST(JpegDecoder, ShowsNothingOfThePictureBeforeWhereAFileEndsTooEarly) {
 }
 
 }  // namespace
-}  // namespace markservo::mark_detector
+}  // namespace markservo::frames

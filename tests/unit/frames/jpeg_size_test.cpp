@@ -1,10 +1,10 @@
-#include "services/mark-detector/picture/jpeg_size.hpp"
+#include "common/frames/jpeg_size.hpp"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/imgcodecs.hpp>
 
-namespace markservo::mark_detector {
+namespace markservo::frames {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -83,4 +83,4 @@ TEST(JpegSize, HostileHeadersHaveNone) {
 }
 
 }  // namespace
-}  // namespace markservo::mark_detector
+}  // namespace markservo::frames
