@@ -26,7 +26,7 @@ std::string objection(const StereoFrame& frame, const std::vector<std::uint8_t>&
 }
 
 TEST(FrameSide, IsNotCopiedWhereItIsRaw) {
-  const std::vector<std::uint8_t> side(6 * 4 * 3, 7);
+  const std::vector<std::uint8_t> side(std::size_t{6} * 4 * 3, 7);
   JpegDecoder decoder;
   const cv::Mat picture = picture_of(frame_of(StereoFrame::ENCODING_BGR8), side, "left", decoder);
   EXPECT_EQ(picture.size(), cv::Size(6, 4));
