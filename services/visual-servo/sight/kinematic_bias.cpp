@@ -13,10 +13,6 @@ double squared(double sigma) {
   return sigma * sigma;
 }
 
-constexpr int kPlay = 5;  // among the states
-
-using Observation = Eigen::Matrix<double, 3, 8>;
-
 // How the hand's mark moves at joint speeds `speed` (rad/s), m/s.
 Eigen::Vector3d hand_velocity(const robot::ArmDescription& arm, const robot::JointVector& q,
                               const robot::JointVector& speed) {
@@ -24,20 +20,26 @@ Eigen::Vector3d hand_velocity(const robot::ArmDescription& arm, const robot::Joi
   return (robot::hand_mark(arm, q + kSpan_s * speed) - robot::hand_mark(arm, q - kSpan_s * speed)) / (2.0 * kSpan_s);
 }
 
-// d p_CM by the states.
-Observation observation(const robot::ArmDescription& arm, const robot::JointVector& q,
-                        const robot::JointVector& directions, const robot::JointVector& speed) {
-  Observation h;
-  h.leftCols<3>().setIdentity();
-  h.col(3) = robot::grip_pose(arm, {q[0], q[1], 0.0}).linear().col(1);
-  h.col(4) = robot::grip_pose(arm, q).linear().col(1);
-  h.col(kPlay) = -hand_velocity(arm, q, directions);
-  h.col(6) = -hand_velocity(arm, q, speed);
-  h.col(7) = -hand_velocity(arm, q, speed.cwiseProduct(speed.cwiseAbs()));
+}  // namespace
+
+// d p_CM, and d p_CG alike, by the states of the arm's structure.
+KinematicBias::Structure KinematicBias::by_structure(const robot::ArmDescription& arm, const robot::JointVector& q) {
+  Structure h;
+  h.middleCols<3>(kOffset).setIdentity();
+  h.col(kUpperArm) = robot::grip_pose(arm, {q[0], q[1], 0.0}).linear().col(1);
+  h.col(kForearm) = robot::grip_pose(arm, q).linear().col(1);
   return h;
 }
 
-}  // namespace
+// d p_CM by the states.
+KinematicBias::Observation KinematicBias::observation(const robot::ArmDescription& arm, const JointMotion& joints) {
+  Observation h;
+  h.leftCols<kStructure>() = by_structure(arm, joints.q);
+  h.col(kPlay) = -hand_velocity(arm, joints.q, joints.directions);
+  h.col(kLag) = -hand_velocity(arm, joints.q, joints.speed);
+  h.col(kRunUp) = -hand_velocity(arm, joints.q, joints.speed.cwiseProduct(joints.speed.cwiseAbs()));
+  return h;
+}
 
 void KinematicBias::begin(const KinematicBiasParameters& parameters) {
   begun_ = true;
@@ -51,12 +53,14 @@ void KinematicBias::begin(const KinematicBiasParameters& parameters) {
 void KinematicBias::observe(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
                             const JointMotion& joints, const Eigen::Vector3d& p_CM) {
   if (!begun_) begin(parameters);
+  JointMotion motion = joints;
   for (int i = 0; i < robot::kNumJoints; ++i) {
     if (joints.directions[i] != 0.0) directions_[i] = joints.directions[i];
   }
-  covariance_.diagonal().head<3>().array() += squared(parameters.offset_drift);
-  const Observation h = observation(arm, joints.q, directions_, joints.speed);
-  const double variance = squared(parameters.sight_sigma) + squared(parameters.clock_sigma * h.col(6).norm());
+  motion.directions = directions_;
+  covariance_.diagonal().segment<3>(kOffset).array() += squared(parameters.offset_drift);
+  const Observation h = observation(arm, motion);
+  const double variance = squared(parameters.sight_sigma) + squared(parameters.clock_sigma * h.col(kLag).norm());
   const auto expected = [&]() -> Eigen::Matrix3d {
     return h * covariance_ * h.transpose() + variance * Eigen::Matrix3d::Identity();
   };
@@ -76,10 +80,10 @@ void KinematicBias::observe(const robot::ArmDescription& arm, const KinematicBia
 
 Eigen::Vector3d KinematicBias::at(const robot::ArmDescription& arm, const robot::JointVector& q,
                                   const robot::JointVector& directions) const {
-  // The mark shifts as the grip point does where offset and links are off, but not where the shafts lag: they turn both
+  // Where offset and links are off the grip point shifts as the mark does, but not where the shafts lag: they turn both
   // about the joints, and the grip point is farther out.
-  const Observation h = observation(arm, q, robot::JointVector::Zero(), robot::JointVector::Zero());
-  return h * state_ - robot::grip_point_jacobian(arm, q) * directions * state_[kPlay];
+  return by_structure(arm, q) * state_.head<kStructure>() -
+         robot::grip_point_jacobian(arm, q) * directions * state_[kPlay];
 }
 
 robot::JointVector KinematicBias::shafts(const robot::JointVector& q) const {

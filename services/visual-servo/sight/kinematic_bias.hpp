@@ -53,14 +53,22 @@ class KinematicBias {
   const robot::JointVector& directions() const { return directions_; }
 
  private:
-  void begin(const KinematicBiasParameters& parameters);
-
-  static constexpr int kStates = 8;
+  // The states' places: m, where the arm stands in C, and how much longer its links are; rad, s and s^2/rad, by which
+  // shafts trail.
+  enum Place { kOffset = 0, kUpperArm = 3, kForearm, kPlay, kLag, kRunUp, kStates };
+  static constexpr int kStructure = kPlay;  // so many places tell of the arm, those behind of its shafts
+  using Structure = Eigen::Matrix<double, 3, kStructure>;
+  using Observation = Eigen::Matrix<double, 3, kStates>;
   using States = Eigen::Matrix<double, kStates, 1>;
   using Covariance = Eigen::Matrix<double, kStates, kStates>;
+
+  void begin(const KinematicBiasParameters& parameters);
+  static Structure by_structure(const robot::ArmDescription& arm, const robot::JointVector& q);
+  static Observation observation(const robot::ArmDescription& arm, const JointMotion& joints);
+
   bool begun_ = false;
-  bool contradicted_ = false;      // by the last frame, which was passed over
-  States state_ = States::Zero();  // m: offset in C, upper arm, forearm; rad: play; s: lag; s^2/rad: run-up
+  bool contradicted_ = false;  // by the last frame, which was passed over
+  States state_ = States::Zero();
   Covariance covariance_ = Covariance::Zero();
   robot::JointVector directions_ = robot::JointVector::Zero();
 };
