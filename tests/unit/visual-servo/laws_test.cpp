@@ -9,8 +9,6 @@
 namespace markservo::visual_servo::test {
 namespace {
 
-const Eigen::Matrix3d kCovariance = Eigen::Matrix3d::Identity() * 4e-8;
-
 TEST(Convergence, AimsFinerThanAskedWhileCorrectionsHelp) {
   const ConvergenceParameters parameters;
   EXPECT_EQ(judge(parameters, 0.001, 0, 0.0007, false), Verdict::kConverged);

@@ -4,16 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "common/robot/arm_kinematics.hpp"
 #include "tests/unit/visual-servo/arm_simulator.hpp"
+#include "tests/unit/visual-servo/test_robot.hpp"
 
 namespace markservo::visual_servo::test {
-
-inline robot::RobotDescription the_robot() {
-  return robot::load_robot_description(std::string(MARKSERVO_SOURCE_DIR) + "/config/robot.yaml");
-}
 
 class Rig : public testing::Test {
  protected:
@@ -23,16 +18,7 @@ class Rig : public testing::Test {
   }
 
   Goal servo_goal(std::int64_t id = 1) const {
-    Goal goal;
-    goal.utime = state_.joints.empty() ? arm_.utime() : state_.joints.newest().utime;
-    goal.session = 5;
-    goal.id = id;
-    goal.kind = GoalKind::kServo;
-    goal.target = "red_book";
-    goal.p_TG_C = {0.0, 0.015, -0.052};
-    goal.gripper_opening = 0.05;
-    goal.gripper_force = 10.0;
-    return goal;
+    return grip_goal(state_.joints.empty() ? arm_.utime() : state_.joints.newest().utime, id);
   }
 
   Goal posture_goal(const JointVector& q, std::int64_t id = 1) const {
@@ -42,12 +28,7 @@ class Rig : public testing::Test {
     return goal;
   }
 
-  // The present goal, as its sender says it again.
-  void repeat_goal(std::int64_t utime) {
-    Goal again = *state_.followed.goal();
-    again.utime = utime;
-    machine_.observe(again, state_);
-  }
+  void repeat_goal(std::int64_t utime) { test::repeat_goal(machine_, state_, utime); }
 
   // The arm stops, and its STOP_STATE says so.
   void stop(bool latched) {
@@ -93,7 +74,7 @@ class Rig : public testing::Test {
   ServoStateMachine machine_{robot_, Parameters()};
   State state_;
   Eigen::Vector3d p_CT_{0.0325, 0.25, 0.032};
-  Eigen::Vector3d goal_point_ = p_CT_ + Eigen::Vector3d(0.0, 0.015, -0.052);
+  Eigen::Vector3d goal_point_ = p_CT_ + kGripFromTarget;
   JointVector start_ = robot::inverse_kinematics(*robot_.arm, goal_point_ - Eigen::Vector3d(0.0, 0.12, 0.0), 0.0).q;
   ArmSimulator arm_{robot_, SimulatorSettings(), 3};
   PoseSample last_pose_;

@@ -8,8 +8,6 @@
 namespace markservo::visual_servo::test {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
-
 class ServoGoals : public Rig {
  protected:
   // The goal's refusal, with the arm at rest where it started.

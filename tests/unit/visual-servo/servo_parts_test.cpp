@@ -9,7 +9,6 @@
 namespace markservo::visual_servo::test {
 namespace {
 
-const Eigen::Matrix3d kCovariance = Eigen::Matrix3d::Identity() * 4e-8;
 const JointVector kServoSpeed = JointVector::Constant(5.2);
 
 JointSample sample_at(std::int64_t utime, double yaw) {

@@ -5,12 +5,11 @@
 
 #include <iostream>
 
+#include "tests/unit/visual-servo/test_robot.hpp"
 #include "tests/unit/visual-servo/trials.hpp"
 
 namespace markservo::visual_servo::test {
 namespace {
-
-constexpr double kDegree = 0.017453292519943295;
 
 using simulator::DeadbandKind;
 
@@ -20,10 +19,6 @@ const ServoFaults kHome{"deadband, runs home", DeadbandKind::kRunsHome, 0.3 * kD
 const ServoFaults kEdgeBacklash{"edge + 1 deg backlash", DeadbandKind::kStopsAtEdge, 0.3 * kDegree, 1.0 * kDegree};
 const ServoFaults kHomeBacklash{"home + 1 deg backlash", DeadbandKind::kRunsHome, 0.3 * kDegree, 1.0 * kDegree};
 const ServoFaults kBacklash{"1 deg backlash", DeadbandKind::kStopsAtEdge, 0.0, 1.0 * kDegree};
-
-robot::RobotDescription the_robot() {
-  return robot::load_robot_description(std::string(MARKSERVO_SOURCE_DIR) + "/config/robot.yaml");
-}
 
 struct Bar {
   ServoFaults servos;

@@ -5,13 +5,18 @@
 #include <cstdio>
 
 #include "common/robot/arm_kinematics.hpp"
+#include "tests/unit/visual-servo/test_robot.hpp"
 
 namespace markservo::visual_servo::test {
 namespace {
 
 constexpr int kFramesAtMost = 300;
-constexpr double kStartDistance = 0.15;
-const Eigen::Vector3d kGripFromTarget(0.0, 0.015, -0.052);
+constexpr double kStartDistance = 0.15;  // m
+
+// As task-manager asks for a grip (services/task-manager/parameters.hpp).
+constexpr double kStandoff = 0.04;            // m, of at most 0.06 that both marks are seen from
+constexpr double kStandoffTolerance = 0.004;  // m
+constexpr double kGripTolerance = 0.0015;     // m
 
 bool reachable_all_the_way(const robot::ArmDescription& arm, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   constexpr double kMargin = 0.05;
@@ -43,11 +48,7 @@ struct Stage {
 Output step_once(ArmSimulator& arm, const ServoStateMachine& machine, State& state) {
   const PoseSample pose = arm.expose();
   for (const auto& sample : arm.take_joint_states()) machine.observe(sample, state);
-  if (state.followed.goal()) {
-    Goal again = *state.followed.goal();
-    again.utime = pose.utime;
-    machine.observe(again, state);
-  }
+  if (state.followed.goal()) repeat_goal(machine, state, pose.utime);
   Output output = machine.step(pose, state);
   arm.finish_frame(output.command);
   return output;
@@ -64,15 +65,9 @@ Trial run(const robot::RobotDescription& robot, const ServoStateMachine& machine
   Trial trial;
   std::int64_t id = 0;
   for (const Stage& stage : stages) {
-    Goal goal;
-    goal.utime = state.joints.newest().utime;
-    goal.session = 1;
-    goal.id = ++id;
-    goal.kind = GoalKind::kServo;
-    goal.target = "red_book";
-    goal.p_TG_C = kGripFromTarget - Eigen::Vector3d(0.0, stage.standoff, 0.0);
+    Goal goal = grip_goal(state.joints.newest().utime, ++id);
+    goal.p_TG_C.y() -= stage.standoff;
     goal.tolerance = stage.tolerance;
-    goal.gripper_opening = 0.05;
     machine.observe(goal, state);
     trial.converged = false;
     while (trial.frames < kFramesAtMost && !trial.converged) {
@@ -114,7 +109,7 @@ std::vector<Trial> run_trials(const robot::RobotDescription& robot, const Parame
 
 std::vector<Trial> run_grasps(const robot::RobotDescription& robot, const Parameters& parameters,
                               const SimulatorSettings& settings, int seeds) {
-  return run_all(robot, parameters, settings, {{0.04, 0.004}, {0.0, 0.0015}}, seeds);
+  return run_all(robot, parameters, settings, {{kStandoff, kStandoffTolerance}, {0.0, kGripTolerance}}, seeds);
 }
 
 Summary summarise(const std::vector<Trial>& trials) {
