@@ -42,7 +42,7 @@ ServoStateMachine::ServoStateMachine(robot::RobotDescription robot, Parameters p
 bool ServoStateMachine::observe(const JointSample& sample, State& state) const {
   if (!sample.position.allFinite() || !std::isfinite(sample.gripper_opening)) return false;
   const bool first = state.joints.empty();
-  if (state.joints.add(sample, servo_speeds(arm_))) state.command.require_adoption();
+  if (state.joints.add(sample, servo_speeds(arm_), state.law.sight.bias.play())) state.command.require_adoption();
   if (first) state.followed.end_unless_fresh(sample.utime, parameters_.goal_age);
   const bool obeying = state.command.begun() && !state.command.adoption_due() && state.enable.released();
   state.gripper.observe(sample, obeying);

@@ -156,19 +156,19 @@ LawAnswer ServoBySight::step(const LawInput& input, LawState& law_state) const {
   const Sighting& sighting = input.sighting;
   const JointVector& q_command = input.command.position();
   const JointMotion joints{sighting.q_exposure, input.joints.speed(sighting.utime),
-                           input.joints.directions(sighting.utime)};
+                           input.joints.trailing(sighting.utime)};
   state.bias.observe(arm_, parameters_.bias, joints, sighting.p_CM);
   const Frame frame{arm_,
                     parameters_,
                     input,
                     q_command,
-                    seen_grip_point(arm_, state.bias.shafts(sighting.q_exposure), sighting.p_CM),
+                    seen_grip_point(arm_, state.bias.shafts(joints.q, joints.trailing), sighting.p_CM),
                     input.p_CG_goal(),
                     tolerance_of(parameters_.convergence, input.goal.tolerance)};
   LawAnswer answer;
   answer.error = frame.p_CG - frame.p_CG_goal;
   const Eigen::Vector3d error_to_come =
-      predicted_grip_point(arm_, q_command, state.bias.at(arm_, q_command, state.bias.directions())) - frame.p_CG_goal;
+      predicted_grip_point(arm_, q_command, state.bias.at(arm_, q_command, joints.trailing)) - frame.p_CG_goal;
   const bool astray = error_to_come.norm() > 2.0 * parameters_.far;
   if (state.phase == Phase::kStart && error_to_come.norm() <= parameters_.near) {
     state.directions = ending_directions(q_command, q_command);

@@ -35,7 +35,7 @@ KinematicBias::Structure KinematicBias::by_structure(const robot::ArmDescription
 KinematicBias::Observation KinematicBias::observation(const robot::ArmDescription& arm, const JointMotion& joints) {
   Observation h;
   h.leftCols<kStructure>() = by_structure(arm, joints.q);
-  h.col(kPlay) = -hand_velocity(arm, joints.q, joints.directions);
+  h.col(kPlay) = -hand_velocity(arm, joints.q, joints.trailing);
   h.col(kLag) = -hand_velocity(arm, joints.q, joints.speed);
   h.col(kRunUp) = -hand_velocity(arm, joints.q, joints.speed.cwiseProduct(joints.speed.cwiseAbs()));
   return h;
@@ -53,13 +53,8 @@ void KinematicBias::begin(const KinematicBiasParameters& parameters) {
 void KinematicBias::observe(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters,
                             const JointMotion& joints, const Eigen::Vector3d& p_CM) {
   if (!begun_) begin(parameters);
-  JointMotion motion = joints;
-  for (int i = 0; i < robot::kNumJoints; ++i) {
-    if (joints.directions[i] != 0.0) directions_[i] = joints.directions[i];
-  }
-  motion.directions = directions_;
   covariance_.diagonal().segment<3>(kOffset).array() += squared(parameters.offset_drift);
-  const Observation h = observation(arm, motion);
+  const Observation h = observation(arm, joints);
   const double variance = squared(parameters.sight_sigma) + squared(parameters.clock_sigma * h.col(kLag).norm());
   const auto expected = [&]() -> Eigen::Matrix3d {
     return h * covariance_ * h.transpose() + variance * Eigen::Matrix3d::Identity();
@@ -79,15 +74,15 @@ void KinematicBias::observe(const robot::ArmDescription& arm, const KinematicBia
 }
 
 Eigen::Vector3d KinematicBias::at(const robot::ArmDescription& arm, const robot::JointVector& q,
-                                  const robot::JointVector& directions) const {
+                                  const robot::JointVector& trailing) const {
   // Where offset and links are off the grip point shifts as the mark does, but not where the shafts lag: they turn both
   // about the joints, and the grip point is farther out.
   return by_structure(arm, q) * state_.head<kStructure>() -
-         robot::grip_point_jacobian(arm, q) * directions * state_[kPlay];
+         robot::grip_point_jacobian(arm, q) * trailing * state_[kPlay];
 }
 
-robot::JointVector KinematicBias::shafts(const robot::JointVector& q) const {
-  return q - state_[kPlay] * directions_;
+robot::JointVector KinematicBias::shafts(const robot::JointVector& q, const robot::JointVector& trailing) const {
+  return q - state_[kPlay] * trailing;
 }
 
 }  // namespace markservo::visual_servo

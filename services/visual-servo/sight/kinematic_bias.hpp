@@ -29,9 +29,9 @@ struct KinematicBiasParameters {
 
 // What the joints say of themselves at a frame's exposure.
 struct JointMotion {
-  robot::JointVector q;           // rad
-  robot::JointVector speed;       // rad/s, by which they came there
-  robot::JointVector directions;  // in which each moved last, -1 or 1; 0: not known, as it was
+  robot::JointVector q;         // rad
+  robot::JointVector speed;     // rad/s, by which they came there
+  robot::JointVector trailing;  // part of its play by which each shaft trails, -1 to 1; 0: not known
 };
 
 class KinematicBias {
@@ -40,17 +40,17 @@ class KinematicBias {
   void observe(const robot::ArmDescription& arm, const KinematicBiasParameters& parameters, const JointMotion& joints,
                const Eigen::Vector3d& p_CM);
 
-  // To be added to the kinematic grip point (m, in C) of a hand at rest in posture `q`, at which its joints arrived in
-  // `directions` (each -1 or 1, 0 where nothing is known).
+  // To be added to the kinematic grip point (m, in C) of a hand at rest in posture `q` (rad), where the shafts trail by
+  // these parts of their play (each -1 to 1: the direction in which the joint arrived; 0 where nothing is known).
   Eigen::Vector3d at(const robot::ArmDescription& arm, const robot::JointVector& q,
-                     const robot::JointVector& directions) const;
+                     const robot::JointVector& trailing) const;
 
-  // Where the shafts are (rad) when the joints rest at `q` (rad) by their own word, for all that is known of their
-  // play: by these angles the grip point is told from the mark.
-  robot::JointVector shafts(const robot::JointVector& q) const;
+  // Where the shafts are (rad) when the joints rest at `q` (rad) by their own word and trail by these parts of their
+  // play, for all that is known of it: by these angles the grip point is told from the mark.
+  robot::JointVector shafts(const robot::JointVector& q, const robot::JointVector& trailing) const;
 
-  // The directions in which the joints moved last, as at() takes them.
-  const robot::JointVector& directions() const { return directions_; }
+  // By which a shaft trails behind a joint that turns on, rad, for all that is known.
+  double play() const { return state_[kPlay]; }
 
  private:
   // The states' places: m, where the arm stands in C, and how much longer its links are; rad, s and s^2/rad, by which
@@ -70,7 +70,6 @@ class KinematicBias {
   bool contradicted_ = false;  // by the last frame, which was passed over
   States state_ = States::Zero();
   Covariance covariance_ = Covariance::Zero();
-  robot::JointVector directions_ = robot::JointVector::Zero();
 };
 
 }  // namespace markservo::visual_servo

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "tests/unit/visual-servo/rig.hpp"
 
@@ -114,6 +115,56 @@ TEST_F(ServoGoals, TheWayByResolvedRateIsStraight) {
   frames_until(ServoState::kConverged);
   EXPECT_LT(arm_.deepest_y(), goal_point_.y() + 0.003);
 }
+
+// By the kind of deadband, and by how far a posture between two goals turns the yaw off where the arm began, rad:
+// little crosses a servo's play in part, more leaves it on the one side or the other.
+class ServosWithPlay : public Rig, public testing::WithParamInterface<std::tuple<simulator::DeadbandKind, double>> {
+ protected:
+  ServosWithPlay() {
+    SimulatorSettings settings;
+    settings.servos.deadband = std::get<0>(GetParam());
+    settings.servos.deadband_rad = 0.3 * kDegree;
+    settings.servos.backlash_rad = 0.6 * kDegree;
+    settings.vision_sigma = 0.0;  // m: what is told wrongly is not noise
+    arm_ = ArmSimulator(robot_, settings, 3);
+    arm_.place(start_, p_CT_);
+  }
+
+  // m, how far from where it is the grip point is seen in the next frame, to which the arm has come by itself.
+  double wrongly_seen() {
+    const Eigen::Vector3d error = arm_.grip_point() - goal_point_;
+    return (frame().status.error - error).norm();
+  }
+};
+
+TEST_P(ServosWithPlay, TheGripPointIsSeenWhereItIsThoughAPostureTurnedTheJoints) {
+  frame();
+  machine_.observe(servo_goal(1), state_);
+  frames_until(ServoState::kConverged, 200);
+  EXPECT_LT(wrongly_seen(), 0.00015);
+  machine_.observe(posture_goal(start_ + JointVector(std::get<1>(GetParam()), 0.0, 0.0), 2), state_);
+  frames(60);
+  frames(60);  // 2 s at rest
+  machine_.observe(servo_goal(3), state_);
+  EXPECT_LT(wrongly_seen(), 0.00015);
+}
+
+TEST_P(ServosWithPlay, TheGripPointIsSeenWhereItIsAfterARest) {
+  frame();
+  machine_.observe(servo_goal(1), state_);
+  frames_until(ServoState::kConverged, 200);
+  Goal hold = servo_goal(2);
+  hold.kind = GoalKind::kHold;
+  machine_.observe(hold, state_);
+  frames(60);  // 2 s
+  machine_.observe(servo_goal(3), state_);
+  EXPECT_LT(wrongly_seen(), 0.00015);
+}
+
+INSTANTIATE_TEST_SUITE_P(Deadbands, ServosWithPlay,
+                         testing::Combine(testing::Values(simulator::DeadbandKind::kStopsAtEdge,
+                                                          simulator::DeadbandKind::kRunsHome),
+                                          testing::Values(-0.2, 0.0, 0.2)));
 
 }  // namespace
 }  // namespace markservo::visual_servo::test

@@ -55,17 +55,54 @@ TEST(JointHistory, KnowsHowFastTheJointsCame) {
   EXPECT_NEAR(history.speed(85'000)[0], 0.3, 1e-9);
 }
 
-TEST(JointHistory, KnowsTheLastDirectionOfAJointThatRests) {
-  JointHistory history;
+class JointHistoryOfAYaw : public testing::Test {
+ protected:
+  void turn_to(double yaw, double play = 0.0) {
+    history_.add(sample_at(utime_, yaw), kServoSpeed, play);
+    utime_ += 10'000;
+  }
+  double trailing() const { return history_.trailing(history_.newest().utime)[0]; }
+
+  JointHistory history_;
+  std::int64_t utime_ = 0;
+};
+
+TEST_F(JointHistoryOfAYaw, KnowsTheLastDirectionOfAJointThatRests) {
   // Up for 0.1 s, down for 0.1 s, then at rest but for its reading's last digit.
   for (int i = 0; i <= 60; ++i) {
-    const double yaw = i <= 10 ? 0.01 * i : std::max(0.2 - 0.01 * i, 0.0);
-    history.add(sample_at(std::int64_t{10'000} * i, yaw + (i % 2 == 0 ? 0.0 : 0.0001)), kServoSpeed);
+    turn_to((i <= 10 ? 0.01 * i : std::max(0.2 - 0.01 * i, 0.0)) + (i % 2 == 0 ? 0.0 : 0.0001));
   }
-  EXPECT_EQ(history.directions(80'000), JointVector(1.0, 0.0, 0.0));
-  EXPECT_EQ(history.directions(600'000), JointVector(-1.0, 0.0, 0.0));
-  for (int i = 61; i <= 200; ++i) history.add(sample_at(std::int64_t{10'000} * i, 0.0), kServoSpeed);
-  EXPECT_EQ(history.directions(2'000'000), JointVector::Zero()) << "longer ago than the history goes back";
+  EXPECT_EQ(history_.trailing(80'000), JointVector(1.0, 0.0, 0.0));
+  EXPECT_NEAR(trailing(), -1.0, 1e-9);
+  for (int i = 0; i < 140; ++i) turn_to(0.0);
+  EXPECT_NEAR(trailing(), -1.0, 1e-9) << "longer ago than its samples go back";
+}
+
+TEST_F(JointHistoryOfAYaw, KnowsTheDirectionOfAJointThatCreeps) {
+  for (int i = 0; i <= 100; ++i) turn_to(0.0001 * i);
+  EXPECT_EQ(trailing(), 1.0);
+}
+
+TEST_F(JointHistoryOfAYaw, KnowsWhereAShaftIsThatHasCrossedItsPlayInPart) {
+  constexpr double kPlay = 0.005;  // rad, half of what it can cross
+  turn_to(0.0, kPlay);
+  EXPECT_EQ(trailing(), 0.0);
+  turn_to(0.05, kPlay);
+  EXPECT_EQ(trailing(), 1.0);
+  turn_to(0.05 - kPlay, kPlay);
+  EXPECT_NEAR(trailing(), 0.0, 1e-9);
+  turn_to(0.05 - 1.5 * kPlay, kPlay);
+  EXPECT_NEAR(trailing(), -0.5, 1e-9);
+  turn_to(0.05 - 3.0 * kPlay, kPlay);
+  EXPECT_EQ(trailing(), -1.0);
+}
+
+TEST_F(JointHistoryOfAYaw, KnowsNothingOfAJointThatMayHaveBeenMovedUnseen) {
+  for (int i = 0; i <= 10; ++i) turn_to(0.01 * i);
+  EXPECT_EQ(trailing(), 1.0);
+  utime_ += 500'000;
+  turn_to(0.1);
+  EXPECT_EQ(trailing(), 0.0);
 }
 
 TEST(StillTarget, AveragesNoiseAway) {
@@ -131,7 +168,7 @@ TEST(KinematicBias, LearnsWhereTheArmStandsAndHowLongItsLinksAre) {
   }
   const JointVector ahead(-0.2, 0.85, -0.5);  // further on, never seen
   const Eigen::Vector3d expected = robot::grip_point(truth, ahead) - robot::grip_point(*robot.arm, ahead);
-  EXPECT_LT((bias.at(*robot.arm, ahead, bias.directions()) - expected).norm(), 0.0003);
+  EXPECT_LT((bias.at(*robot.arm, ahead, {-1.0, -1.0, 1.0}) - expected).norm(), 0.0003);
 }
 
 TEST(KinematicBias, IsNotSpoiltByShaftsThatTrailBehindAMovingArm) {
@@ -149,29 +186,28 @@ TEST(KinematicBias, IsNotSpoiltByShaftsThatTrailBehindAMovingArm) {
     const JointVector trailing = kPlay * directions + 0.004 * speed + 0.005 * speed.cwiseProduct(speed.cwiseAbs());
     bias.observe(*robot.arm, {}, {q, speed, directions}, robot::hand_mark(*robot.arm, q - trailing));
   }
-  EXPECT_EQ(bias.directions(), JointVector(1.0, -1.0, 1.0));
+  const JointVector arrived(1.0, -1.0, 1.0);
   const Eigen::Vector3d expected =
-      robot::grip_point(*robot.arm, q - kPlay * bias.directions()) - robot::grip_point(*robot.arm, q);
-  EXPECT_LT((bias.at(*robot.arm, q, bias.directions()) - expected).norm(), 0.0003);
+      robot::grip_point(*robot.arm, q - kPlay * arrived) - robot::grip_point(*robot.arm, q);
+  EXPECT_LT((bias.at(*robot.arm, q, arrived) - expected).norm(), 0.0003);
 }
 
 TEST(KinematicBias, KnowsByWhichAngleTheShaftsTrailOnceAJointHasTurned) {
   const auto robot = the_robot();
   constexpr double kPlay = 0.005;  // rad
   KinematicBias bias;
-  const auto rest_at = [&](const JointVector& q, const JointVector& directions) {
+  const auto rest_at = [&](const JointVector& q, const JointVector& trailing) {
     for (int i = 0; i < 6; ++i) {
-      bias.observe(*robot.arm, {}, {q, JointVector::Zero(), directions},
-                   robot::hand_mark(*robot.arm, q - kPlay * directions));
+      bias.observe(*robot.arm, {}, {q, JointVector::Zero(), trailing},
+                   robot::hand_mark(*robot.arm, q - kPlay * trailing));
     }
   };
-  rest_at({0.3, 1.2, -1.2}, {-1.0, -1.0, 1.0});
-  EXPECT_EQ(bias.directions(), JointVector(-1.0, -1.0, 1.0));
-  rest_at({0.3, 1.2, -1.2}, {1.0, -1.0, 1.0});
   const JointVector q(0.3, 1.2, -1.2);
-  EXPECT_LT((bias.shafts(q) - (q - kPlay * JointVector(1.0, -1.0, 1.0))).cwiseAbs().maxCoeff(), 0.001);
-  rest_at(q, JointVector::Zero());
-  EXPECT_EQ(bias.directions(), JointVector(1.0, -1.0, 1.0)) << "what is not known stays as it was";
+  rest_at(q, {-1.0, -1.0, 1.0});
+  const JointVector turned(1.0, -1.0, 1.0);
+  rest_at(q, turned);
+  EXPECT_LT((bias.shafts(q, turned) - (q - kPlay * turned)).cwiseAbs().maxCoeff(), 0.001);
+  EXPECT_EQ(bias.shafts(q, JointVector::Zero()), q) << "nothing is known of where in their play they are";
 }
 
 TEST(ResolvedRate, LimitsShortenTheStepAndKeepItsDirection) {
