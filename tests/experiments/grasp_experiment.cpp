@@ -192,7 +192,9 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
     plot_heat_map(cells, options.out);
   }
   const bool as_predicted = print_grasp_summary(cells, only.empty() ? kLeastFeasible : 0);
-  const bool aimed = print_aim(summarise_aim(cells));
+  const bool to_grip =
+      std::any_of(cells.begin(), cells.end(), [](const GraspCell& cell) { return cell.predicted == "feasible"; });
+  const bool aimed = !to_grip || print_aim(summarise_aim(cells));
   return as_predicted && (aimed || only.empty());  // the aim's bar is for a place that the hand enters from before it
 }
 

@@ -49,7 +49,7 @@ void write_grasp_json(const std::vector<GraspCell>& cells, const std::string& fo
 void print_beside_the_paper(const std::vector<GraspCell>& cells);
 // DIR/grasp.png by gnuplot; without gnuplot a line says so.
 void plot_heat_map(const std::vector<GraspCell>& cells, const std::string& folder);
-// One line; true if nothing was gripped or the aim meets its bar.
+// One line; true if something was gripped and the aim meets its bars.
 bool print_aim(const AimSummary& aim);
 // Counts and every trial that did not end as predicted; true if at most one feasible trial failed, all others were
 // refused rightly, and `least_feasible` cells could be tried at all.
