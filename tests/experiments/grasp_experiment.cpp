@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <cstdio>
+#include <filesystem>
 
 #include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
@@ -26,6 +26,8 @@ constexpr int kMaxFrames = 60 * 30;                                 // a task th
 constexpr int kHoldFrames = 30;                                     // 1 s at 30 Hz, lifted
 constexpr int kAfterRefusal = 30;                                   // frames, 1 s: nothing may move or touch later
 constexpr int kLeastFeasible = 15;                                  // cells of the whole table
+constexpr const char* kStopsAtEdge = "stops-at-edge";
+constexpr const char* kRunsHome = "runs-home";
 
 struct Book {
   char label;
@@ -142,11 +144,59 @@ std::vector<Place> choose_places(const std::vector<std::string>& only) {
   return places;
 }
 
-bool experiment(const ExperimentOptions& options, const std::vector<std::string>& only,
-                const std::vector<std::string>& set) {
+std::vector<Work> plan_work(const robot::RobotDescription& robot, const std::vector<Place>& places,
+                            double mark_height) {
+  std::vector<Work> planned;
+  for (const auto& place : places) {
+    Work work{{}, *robot.find_mark(place.book.target), {place.x + place.book.offset, place.y, mark_height}};
+    work.cell.x = place.x;
+    work.cell.y = place.y;
+    work.cell.book = place.book.label;
+    work.cell.predicted = robot::name_of(robot::judge_grip(robot, work.target, work.p_CT).verdict);
+    planned.push_back(work);
+  }
+  return planned;
+}
+
+// Tries and judges all cells; `whole`: they are the paper's table. True if every bar is met.
+bool try_cells(Rig& rig, const std::vector<Work>& planned, bool whole, const ExperimentOptions& options,
+               const Rig::Settings& settings) {
+  std::filesystem::create_directories(options.out);
+  ProgressBar progress(static_cast<int>(planned.size()) * options.trials);
+  std::vector<GraspCell> cells;
+  for (const Work& work : planned) {
+    GraspCell cell = work.cell;
+    for (int i = 0; i < options.trials; ++i) {
+      cell.trials.push_back(run_trial(rig, work, options.seed + i, settings));
+      progress.advance(std::to_string(static_cast<int>(std::lround(cell.x * 100))) + " cm, " +
+                       std::to_string(static_cast<int>(std::lround(cell.y * 100))) + " cm, " + cell.book + ": " +
+                       cell.trials.back().result);
+    }
+    cells.push_back(cell);
+    write_grasp_json(cells, options.out);
+  }
+  if (whole) {
+    print_beside_the_paper(cells);
+    plot_heat_map(cells, options.out);
+  }
+  const bool as_predicted = print_grasp_summary(cells, whole ? kLeastFeasible : 0);
+  const bool to_grip =
+      std::any_of(cells.begin(), cells.end(), [](const GraspCell& cell) { return cell.predicted == "feasible"; });
+  const bool aimed = !to_grip || print_aim(summarise_aim(cells));
+  return as_predicted && (aimed || whole);  // the aim's bar is for a place that the hand enters from before it
+}
+
+// What --cell, --set and --deadband say.
+struct GraspOptions {
+  std::vector<std::string> only;
+  std::vector<std::string> set;
+  std::vector<std::string> deadbands;
+};
+
+bool experiment(const ExperimentOptions& options, const GraspOptions& grasp) {
   const robot::RobotDescription robot = robot::load_robot_description(options.robot_file);
-  const Rig::Settings settings = parse_settings(set);
-  const std::vector<Place> places = choose_places(only);
+  const Rig::Settings settings = parse_settings(grasp.set);
+  const std::vector<Place> places = choose_places(grasp.only);
   for (const auto& place : places) {
     const robot::MarkDescription* target = robot.find_mark(place.book.target);
     if (target == nullptr || !target->grip) {
@@ -163,56 +213,41 @@ bool experiment(const ExperimentOptions& options, const std::vector<std::string>
   rig.wait_for_service("simulator", services.start_simulator("JOINT_COMMAND,TASK_STATE"));
   rig.wait_for_world();
 
-  std::vector<Work> cells_to_try;
   const double mark_height = true_mark(rig.truth(), kBooks[1].target).value().z();
-  for (const auto& place : places) {
-    Work work{{}, *robot.find_mark(place.book.target), {place.x + place.book.offset, place.y, mark_height}};
-    work.cell.x = place.x;
-    work.cell.y = place.y;
-    work.cell.book = place.book.label;
-    work.cell.predicted = robot::name_of(robot::judge_grip(robot, work.target, work.p_CT).verdict);
-    cells_to_try.push_back(work);
+  const std::vector<Work> planned = plan_work(robot, places, mark_height);
+  const bool whole = grasp.only.empty();
+  if (grasp.deadbands.empty()) return try_cells(rig, planned, whole, options, settings);
+  bool met = true;
+  for (const auto& name : grasp.deadbands) {
+    std::printf("\ndeadband: %s\n", name.c_str());
+    ExperimentOptions apart = options;
+    apart.out = std::filesystem::path(options.out) / name;
+    Rig::Settings with_deadband = settings;
+    with_deadband.emplace_back("servo.deadband_kind", name == kRunsHome ? 1.0 : 0.0);
+    met = try_cells(rig, planned, whole, apart, with_deadband) && met;
   }
-
-  ProgressBar progress(static_cast<int>(cells_to_try.size()) * options.trials);
-  std::vector<GraspCell> cells;
-  for (auto& work : cells_to_try) {
-    GraspCell& cell = work.cell;
-    for (int i = 0; i < options.trials; ++i) {
-      cell.trials.push_back(run_trial(rig, work, options.seed + i, settings));
-      progress.advance(std::to_string(static_cast<int>(std::lround(cell.x * 100))) + " cm, " +
-                       std::to_string(static_cast<int>(std::lround(cell.y * 100))) + " cm, " + cell.book + ": " +
-                       cell.trials.back().result);
-    }
-    cells.push_back(cell);
-    write_grasp_json(cells, options.out);
-  }
-  if (only.empty()) {
-    print_beside_the_paper(cells);
-    plot_heat_map(cells, options.out);
-  }
-  const bool as_predicted = print_grasp_summary(cells, only.empty() ? kLeastFeasible : 0);
-  const bool to_grip =
-      std::any_of(cells.begin(), cells.end(), [](const GraspCell& cell) { return cell.predicted == "feasible"; });
-  const bool aimed = !to_grip || print_aim(summarise_aim(cells));
-  return as_predicted && (aimed || only.empty());  // the aim's bar is for a place that the hand enters from before it
+  return met;
 }
 
 }  // namespace
 }  // namespace markservo::experiments
 
 int main(int argc, char** argv) {
-  std::vector<std::string> only;
-  std::vector<std::string> set;
+  markservo::experiments::GraspOptions grasp;
   return markservo::experiments::run_experiment(
       "The paper's grasp table by the whole robot in simulation", 2, argc, argv,
       [&](const markservo::experiments::ExperimentOptions& options) {
-        return markservo::experiments::experiment(options, only, set);
+        return markservo::experiments::experiment(options, grasp);
       },
       [&](CLI::App& app) {
         const markservo::bus::Options add(app);
-        add.option("--cell", only, "Only this cell: X,Y,BOOK in metres and L, C or R of the middle book's position")
+        add.option("--cell", grasp.only,
+                   "Only this cell: X,Y,BOOK in metres and L, C or R of the middle book's position")
             .delimiter(',');
-        add.option("--set", set, "Simulator setting of every trial, name=value");
+        add.option("--set", grasp.set, "Simulator setting of every trial, name=value");
+        add.option("--deadband", grasp.deadbands,
+                   "Kinds of the servos' deadband, each tried by itself, its results in a folder of --out")
+            .delimiter(',')
+            .one_of({markservo::experiments::kStopsAtEdge, markservo::experiments::kRunsHome});
       });
 }
