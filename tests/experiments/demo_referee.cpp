@@ -234,6 +234,7 @@ Json truth_report(const Course& course, bool truly_lifted) {
 
 Json report_of(const ExperimentOptions& options, const Course& course, bool truly_lifted,
                const std::vector<double>& latency_ms, const StaleMotionWatch& stale_motion, const TouchWatch& touch) {
+  // When the fingers begin to close, by truth: grip point minus its goal, x y z in C; null if nothing was gripped.
   const auto& error = course.aim.error;
   const Json error_m = error ? Json{error->x(), error->y(), error->z()} : Json();
   const auto stale_phase = stale_motion.phase();
