@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "services/mark-detector/colour/hue.hpp"
+#include "services/mark-detector/learning/percent.hpp"
 
 namespace markservo::mark_detector {
 namespace {
@@ -93,10 +94,6 @@ WeighedPixels body_of(const WeighedPixels& pixels, double glossy_share) {
 
 double hundredths(double number) {
   return std::floor(100.0 * number) / 100.0;
-}
-
-std::string percent(double share) {
-  return std::to_string(std::lround(100.0 * share)) + "%";
 }
 
 struct LimitRange {

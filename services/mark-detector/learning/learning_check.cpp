@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "services/mark-detector/learning/percent.hpp"
+
 namespace markservo::mark_detector {
 namespace {
 
@@ -17,10 +19,6 @@ double area_within(const Region& region, int left, int top, int right, int botto
     }
   }
   return area;
-}
-
-int percent(double share) {
-  return static_cast<int>(std::lround(100.0 * share));
 }
 
 }  // namespace
@@ -47,12 +45,12 @@ std::string doubt_about_learning(const MarkDetector& detector, std::size_t mark,
   if (near <= 0.0) return "something of its colour is found at " + place + ", outside the box";
   if (all - near > parameters.outgrown_share * all) {
     return fmt::format(
-        "it outgrows the box: {}% of what is found, at {}, lies outside; something around it has its "
+        "it outgrows the box: {} of what is found, at {}, lies outside; something around it has its "
         "colour, or the box is too small",
         percent((all - near) / all), place);
   }
   if (near < parameters.covered_share * mark_px2) {
-    return fmt::format("only {}% of it is found, at {}; its colours are too many, or also those around it",
+    return fmt::format("only {} of it is found, at {}; its colours are too many, or also those around it",
                        percent(near / mark_px2), place);
   }
   return {};
