@@ -176,9 +176,9 @@ LearnedColour learn_colour(const std::vector<LearningPicture>& pictures, const L
     return learned;
   }
   const auto [widest, narrowest] = limits_about(body, hue_deg, parameters);
-  const IntervalFit fit = fit_interval(pixels, hue_deg, parameters.chroma_min, widest, narrowest, parameters.fit);
-  learned.interval = interval_of(hue_deg, fit.limits);
-  if (fit.limits[kValueLow] != widest[kValueLow] || fit.limits[kValueHigh] != widest[kValueHigh]) {
+  const Limits limits = fit_interval(pixels, hue_deg, parameters.chroma_min, widest, narrowest, parameters.fit);
+  learned.interval = interval_of(hue_deg, limits);
+  if (limits[kValueLow] != widest[kValueLow] || limits[kValueHigh] != widest[kValueHigh]) {
     learned.doubt = "only brightness tells it from what is around it: in other light it will not be told apart";
   }
   return learned;

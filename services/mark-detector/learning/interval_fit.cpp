@@ -45,11 +45,11 @@ class Fitter {
   }
 
   // What later limits made needless is widened again, and the others are moved to the middle of where they serve.
-  IntervalFit settled() {
+  Limits settled() {
     for (std::size_t k = 0; k < kNumLimits; ++k) {
       if (limits_[k] != widest_[k]) limits_[k] = search(k).middle;
     }
-    return {limits_, search(0).overlap_now};
+    return limits_;
   }
 
  private:
@@ -156,8 +156,8 @@ double limited(const LearningPixel& pixel, std::size_t limit, double hue_deg) {
   }
 }
 
-IntervalFit fit_interval(const std::vector<LearningPixel>& pixels, double hue_deg, int chroma_min, const Limits& widest,
-                         const Limits& narrowest, const IntervalFitParameters& parameters) {
+Limits fit_interval(const std::vector<LearningPixel>& pixels, double hue_deg, int chroma_min, const Limits& widest,
+                    const Limits& narrowest, const IntervalFitParameters& parameters) {
   Fitter fitter(pixels, hue_deg, chroma_min, widest, narrowest, parameters);
   fitter.improve(kHueLow, kValueLow);
   fitter.improve(kValueLow, kNumLimits);

@@ -23,17 +23,12 @@ struct IntervalFitParameters {
   double slack = 0.02;        // of overlap, given away for a border further from what is around the mark
 };
 
-struct IntervalFit {
-  Limits limits{};
-  double overlap = 0.0;  // [0, 1], of what passes with the mark: their common px over those of either
-};
-
 // The limits, between `widest` and `narrowest`, by which the pixels that pass overlap best with the mark: px of both
 // over px of either, with each pixel the mark's by its share. Limits are taken one by one, that first which gains most
 // (of a box of rules: Friedman and Fisher 1999, "bump hunting"), value's last, since it changes with the light. A limit
 // that nothing comes near stays at its widest; another lies in the middle of where it serves as well. Pixels with a
 // chroma below `chroma_min` pass nowhere.
-IntervalFit fit_interval(const std::vector<LearningPixel>& pixels, double hue_deg, int chroma_min, const Limits& widest,
-                         const Limits& narrowest, const IntervalFitParameters& parameters = {});
+Limits fit_interval(const std::vector<LearningPixel>& pixels, double hue_deg, int chroma_min, const Limits& widest,
+                    const Limits& narrowest, const IntervalFitParameters& parameters = {});
 
 }  // namespace markservo::mark_detector
