@@ -84,7 +84,7 @@ void LearnOptions::check() const {
 }
 
 void LearnOptions::run(const std::string& robot_file, const LearningParameters& learning,
-                       const Parameters& detector) const {
+                       const Parameters& detection) const {
   robot::RobotDescription robot = robot::load_robot_description(robot_file);
   robot::MarkDescription& mark = find(robot, mark_, robot_file);
   std::vector<cv::Mat> images;  // owns the pixels
@@ -100,19 +100,19 @@ void LearnOptions::run(const std::string& robot_file, const LearningParameters& 
   if (!learned.failure.empty())
     throw ConfigurationError("--box: " + learned.failure + "; '" + mark_ + "' stays as it is");
 
-  replace_file(robot_file, with_colour(read_file(robot_file), robot_file, mark_, learned.interval));
-  std::cout << mark_ << ", old: " << to_text(mark.colour) << "\n"
-            << mark_ << ", new: " << to_text(learned.interval) << "\n";
+  const robot::ColourInterval old = mark.colour;
   mark.colour = learned.interval;
-  warn_of_pictures(robot, pictures, learned, detector);
+  const MarkDetector detector(robot.marks, detection);  // before the file is touched: it may refuse
+  replace_file(robot_file, with_colour(read_file(robot_file), robot_file, mark_, learned.interval));
+  std::cout << mark_ << ", old: " << to_text(old) << "\n" << mark_ << ", new: " << to_text(learned.interval) << "\n";
+  const auto number = static_cast<std::size_t>(&mark - robot.marks.data());
+  warn_of_pictures(detector, number, pictures, learned);
   warn_of_overlaps(robot);
 }
 
-void LearnOptions::warn_of_pictures(const robot::RobotDescription& robot, const std::vector<LearningPicture>& pictures,
-                                    const LearnedColour& learned, const Parameters& parameters) const {
+void LearnOptions::warn_of_pictures(const MarkDetector& detector, std::size_t mark,
+                                    const std::vector<LearningPicture>& pictures, const LearnedColour& learned) const {
   if (!learned.doubt.empty()) std::cerr << "mark-detector: warning: " << mark_ << ": " << learned.doubt << "\n";
-  const MarkDetector detector(robot.marks, parameters);
-  const auto mark = static_cast<std::size_t>(robot.find_mark(mark_) - robot.marks.data());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const std::string doubt = doubt_about_learning(detector, mark, pictures[i], learned.mark_px2[i]);
     if (doubt.empty()) continue;

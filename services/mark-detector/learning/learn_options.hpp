@@ -3,6 +3,7 @@
 // mark-detector --learn NAME --box x,y,w,h IMAGE...: writes a mark's colour, as pictures show it, into the robot's
 // file.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,13 @@ class LearnOptions {
 
   // Measures, writes the file, prints the old and the new interval, and lets the detector look for the mark in the
   // pictures with it. Warns on the standard error of pictures where it does not find the mark as boxed, and of marks
-  // that are no longer told apart. Throws ConfigurationError, and the file is as it was.
-  void run(const std::string& robot_file, const LearningParameters& learning, const Parameters& detector) const;
+  // that are no longer told apart. Throws ConfigurationError, or std::invalid_argument for the detector's parameters,
+  // and the file is as it was.
+  void run(const std::string& robot_file, const LearningParameters& learning, const Parameters& detection) const;
 
  private:
-  void warn_of_pictures(const robot::RobotDescription& robot, const std::vector<LearningPicture>& pictures,
-                        const LearnedColour& learned, const Parameters& parameters) const;
+  void warn_of_pictures(const MarkDetector& detector, std::size_t mark, const std::vector<LearningPicture>& pictures,
+                        const LearnedColour& learned) const;
   void warn_of_overlaps(const robot::RobotDescription& robot) const;
 
   std::string mark_;
