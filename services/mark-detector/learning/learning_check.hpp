@@ -14,6 +14,7 @@ struct LearningCheckParameters {
   double margin_share = 0.1;    // of the box's edge: how far beyond the box a mark may reach that a hand has boxed
   int margin_least = 6;         // px
   double outgrown_share = 0.1;  // of what is found that may lie further out
+  double rim_share = 0.5;       // of that margin that may be found: a square that is boxed 5 px off fills less than 0.4
   double covered_share = 0.6;   // of what is the mark in the box that must be found
 };
 

@@ -155,23 +155,36 @@ TEST(ColourLearning, SaysWhenOnlyBrightnessTellsTheMark) {
 }
 
 // Of a detector that has learned from the picture.
-std::string doubt(const Picture& picture, const LearningPicture& example) {
+std::string doubt(const LearningPicture& example) {
   const LearnedColour learned = learn_colour({example}, {});
   EXPECT_EQ(learned.failure, "");
   std::vector<robot::MarkDescription> marks = kOneMark;
   marks.front().colour = learned.interval;
-  return doubt_about_learning(MarkDetector(marks, {}), 0, {picture.view(), example.x, example.y, 56, 56},
-                              learned.mark_px2.front());
+  return doubt_about_learning(MarkDetector(marks, {}), 0, example, learned.mark_px2.front());
 }
 
 TEST(LearningCheck, HasNoDoubtAboutAMarkInItsBox) {
   const Picture picture = picture_of(kOrange, kGrey);
-  EXPECT_EQ(doubt(picture, {picture.view(), 32, 17, 56, 56}), "");
+  EXPECT_EQ(doubt({picture.view(), 32, 17, 56, 56}), "");
 }
 
 TEST(LearningCheck, SaysThatTheMarkOutgrowsItsBox) {
   const Picture picture = picture_of(kOrange, kOrange);
-  EXPECT_NE(doubt(picture, {picture.view(), 32, 17, 56, 56}).find("outgrows the box"), std::string::npos);
+  EXPECT_NE(doubt({picture.view(), 32, 17, 56, 56}).find("outgrows the box"), std::string::npos);
+}
+
+TEST(LearningCheck, SaysThatTheMarkOutgrowsItsBoxThoughByLittle) {
+  Picture picture(120, 90, kGrey);
+  picture.fill(26, 11, 68, 68, kOrange);  // 6 px beyond the box on each side: half as much again
+  picture.expose(1.0, 3.0);
+  EXPECT_NE(doubt({picture.view(), 32, 17, 56, 56}).find("outgrows the box"), std::string::npos);
+}
+
+TEST(LearningCheck, HasNoDoubtAboutASquareWhoseBoxIsALittleOff) {
+  Picture picture(120, 90, kGrey);
+  picture.fill(40, 20, 40, 40, kOrange);
+  picture.expose(1.0, 3.0);
+  EXPECT_EQ(doubt({picture.view(), 45, 15, 40, 40}), "");
 }
 
 TEST(LearningCheck, SaysThatSomethingElseIsTakenForTheMark) {
@@ -179,7 +192,7 @@ TEST(LearningCheck, SaysThatSomethingElseIsTakenForTheMark) {
   picture.draw({60.0, 45.0, 40.0, 0.3, kOrange, 0.2});
   picture.fill(200, 10, 70, 70, kOrange);
   picture.expose(1.0, 3.0);
-  EXPECT_NE(doubt(picture, {picture.view(), 32, 17, 56, 56}).find("200,10,70,70, outside the box"), std::string::npos);
+  EXPECT_NE(doubt({picture.view(), 32, 17, 56, 56}).find("200,10,70,70, outside the box"), std::string::npos);
 }
 
 TEST(LearningCheck, SaysThatNothingOrTooLittleIsFound) {
