@@ -7,12 +7,15 @@
 #include "services/mark-detector/learning/colour_learning.hpp"
 #include "services/mark-detector/learning/learning_check.hpp"
 #include "services/mark-detector/mark_detector.hpp"
+#include "tests/scenes/seen_difference.hpp"
 
 namespace markservo::scenes {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kShift_px = 5;
+constexpr double kNearHue_deg = 30.0;
+constexpr double kOtherColour = 5.0;   // of seen_difference: from 1 on it is seen side by side, from 2 at a glance
 constexpr unsigned kNoiseSeed = 7919;  // noise apart from the scene's numbers
 
 class Random {
@@ -20,7 +23,6 @@ class Random {
   explicit Random(unsigned seed) : engine_(seed) {}
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   int within(int most) { return std::uniform_int_distribution<int>(-most, most)(engine_); }
-  double sign() { return between(0.0, 1.0) < 0.5 ? -1.0 : 1.0; }
 
  private:
   std::mt19937 engine_;
@@ -53,10 +55,11 @@ GlossyBall draw_glossy_ball(unsigned seed) {
   const double hue_deg = random.between(0.0, 360.0);
   const double saturation = random.between(0.6, 0.95);
   ball.body = mark_detector::bgr_of(hue_deg, saturation, random.between(120.0, 230.0));
-  const double apart_deg = random.between(8.0, 30.0);
-  const double most_saturation = 0.3 + 0.3 * apart_deg / 30.0;  // of the ball's
-  ball.wall = mark_detector::bgr_of(hue_deg + random.sign() * apart_deg,
-                                    saturation * random.between(0.15, most_saturation), random.between(110.0, 230.0));
+  do {
+    const double wall_hue_deg = hue_deg + random.between(-kNearHue_deg, kNearHue_deg);
+    const double wall_saturation = saturation * random.between(0.15, 1.0);
+    ball.wall = mark_detector::bgr_of(wall_hue_deg, wall_saturation, random.between(110.0, 230.0));
+  } while (seen_difference(ball.body, ball.wall) < kOtherColour);
   ball.wall_slope = {random.between(-0.3, 0.3), random.between(-0.3, 0.3)};
   const double tilt = random.between(0.1, 0.9);  // rad, of the lamp from the camera
   const double around = random.between(0.0, 2.0 * kPi);

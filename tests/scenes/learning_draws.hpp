@@ -12,9 +12,8 @@
 
 namespace markservo::scenes {
 
-// A shaded glossy ball before a wall of near hue, and a box around it that is a little off. Near: 8 to 30 degrees in
-// hue to either side, with less than 0.6 of the ball's saturation; the nearer in hue the paler, as an eye still tells
-// them apart.
+// A shaded glossy ball before a wall of near hue, and a box around it that is a little off. Near: up to 30 degrees in
+// hue to either side, and paler, as far as a person still calls the colours different ones.
 GlossyBall draw_glossy_ball(unsigned seed);
 
 // One draw and what became of it.
