@@ -28,7 +28,10 @@ class EncoderCounters {
   std::optional<WheelMotion> motion(const EncoderReading& reading);
 
   // The next reading is the first one.
-  void forget() { last_.reset(); }
+  void forget() {
+    last_.reset();
+    play_ = 0.0;
+  }
 
   std::int64_t jumps() const { return jumps_; }  // refused ones, since the start
 

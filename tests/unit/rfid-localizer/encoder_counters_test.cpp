@@ -149,6 +149,17 @@ TEST(EncoderCounters, WhatWasForgottenIsNoMotion) {
   EXPECT_FALSE(counters.motion({10, 5, 5000, 5000}));
 }
 
+TEST(EncoderCounters, OnceTheyForgotTellTurningAsFromTheStart) {
+  EncoderCounters counters(base_of(16));
+  counters.motion({1'000'000, 5, 100, 100});
+  counters.motion({1'020'000, 5, 100, 110});  // against one end of the dead band
+  counters.forget();
+  EncoderCounters fresh(base_of(16));
+  for (EncoderCounters* one : {&counters, &fresh}) one->motion({10, 5, 5000, 5000});
+  const EncoderReading next{20'010, 5, 5000, 5010};
+  EXPECT_EQ(counters.motion(next)->turning, fresh.motion(next)->turning);
+}
+
 // 65,536 ticks are 41 m: after a gap in which the wheels can have turned half as far, the ticks say nothing.
 TEST(EncoderCounters, AfterAGapLongEnoughToWrapAroundUnseenSayNothingButAnUnknownWay) {
   const robot::BaseDescription base = base_of(16);
