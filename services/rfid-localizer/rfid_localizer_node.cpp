@@ -34,6 +34,8 @@ void RfidLocalizerNode::begin() {
   const robot::BaseDescription base = robot_.base.value_or(robot::BaseDescription{});
   localizer_ =
       std::make_unique<Localizer>(base, *robot_.rfid, robot_.floor_tags->field(options_.tag_field), parameters_);
+  // Else the judge, which knows nothing yet, would seem to call the wheels good again.
+  wheel_report_ = WheelReport();
 }
 
 void RfidLocalizerNode::start(bus::Bus& bus) {

@@ -12,9 +12,11 @@
 #include <markservo/WheelOdometry.hpp>
 #include <vector>
 
+#include "common/bus/log_format.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "tests/unit/bus/node_on_a_bus.hpp"
 #include "tests/unit/rfid-localizer/ideal_drive.hpp"
+#include "tests/unit/rfid-localizer/skidding_drive.hpp"
 
 namespace markservo::rfid_localizer {
 namespace {
@@ -173,6 +175,36 @@ TEST_F(RfidLocalizerOnABus, TakesItsSettingsFromOptions) {
   EXPECT_NEAR(poses_.back().paper.delay, 0.3, 1e-9);
   EXPECT_NEAR(poses_.back().pose.heading, 1.5708, 0.02);
   EXPECT_NEAR(std::sqrt(poses_.back().covariance.hh), 0.035, 0.005);
+}
+
+TEST_F(RfidLocalizerOnABus, SaysNothingOfTheWheelsThatItHasYetToJudgeAfterItsClockWasSetBack) {
+  start("--tag-field hall");
+  test::SkiddingDrive skidding(robot::load_robot_description(bus::kRobotFile));
+  constexpr std::int64_t kSetBack_us = 3'600'000'000;
+  ::testing::internal::CaptureStderr();
+  bus::set_up_log("rfid-localizer", "info");
+  int number = 0;
+  while (number < 3000) {
+    tell(odometry_, skidding.odometry(++number));
+    if (number % 5 == 0) tell(hits_, skidding.hits(number));
+  }
+  EXPECT_NE(::testing::internal::GetCapturedStderr().find("the wheels are worse"), std::string::npos);
+
+  ::testing::internal::CaptureStderr();
+  while (number < 3200) {
+    WheelOdometry odometry = skidding.odometry(++number);
+    odometry.utime -= kSetBack_us;
+    tell(odometry_, odometry);
+    RfidTagHits hits = skidding.hits(number);
+    hits.utime -= kSetBack_us;
+    hits.window_start -= kSetBack_us;
+    hits.window_end -= kSetBack_us;
+    for (RfidTagHit& hit : hits.hits) hit.utime -= kSetBack_us;
+    if (number % 5 == 0) tell(hits_, hits);
+  }
+  const std::string logged = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(logged.find("localised"), std::string::npos) << logged;
+  EXPECT_EQ(logged.find("the wheels"), std::string::npos) << logged;
 }
 
 }  // namespace
