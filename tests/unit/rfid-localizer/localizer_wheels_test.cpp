@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "common/geometry/degrees.hpp"
 #include "services/rfid-localizer/robot_parameters.hpp"
 #include "tests/unit/rfid-localizer/drive.hpp"
 
@@ -12,14 +13,12 @@ namespace {
 
 using namespace test;
 
-constexpr double kDegree = M_PI / 180.0;
-
 DriveSettings in_the_hall(int seed, double drift_deg, double pivot_wander) {
   DriveSettings settings;
   settings.seed = static_cast<std::uint64_t>(seed);
   settings.localizer = parameters_of(settings.robot);
   settings.rig.tag_field = "hall";
-  settings.rig.base.drift = drift_deg * kDegree;
+  settings.rig.base.drift = geometry::radians(drift_deg);
   settings.rig.base.pivot_wander = pivot_wander;
   settings.start = {2.0, 2.0, 0.0};
   return settings;
@@ -59,8 +58,8 @@ TEST(LocalizerWheels, WorseThanStatedAreToldAndBelievedLess) {
     const WheelJudgement wheels = drive.localizer().wheel_judgement();
     EXPECT_TRUE(wheels.drift.too_small) << seed;
     EXPECT_TRUE(wheels.pivot_wander.too_small) << seed;
-    EXPECT_NEAR(wheels.drift.stated / kDegree, 2.0, 1e-9);
-    EXPECT_NEAR(wheels.drift.fits / kDegree, 8.0, 0.4 * 8.0) << seed;
+    EXPECT_NEAR(geometry::degrees(wheels.drift.stated), 2.0, 1e-9);
+    EXPECT_NEAR(geometry::degrees(wheels.drift.fits), 8.0, 0.4 * 8.0) << seed;
     EXPECT_NEAR(wheels.pivot_wander.fits, 0.02, 0.4 * 0.02) << seed;
     nees += mean_nees(drive.since(120.0)) / kSeeds;
     settings.localizer.judge.reset();

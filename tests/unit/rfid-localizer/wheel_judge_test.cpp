@@ -8,8 +8,12 @@
 #include <cmath>
 #include <random>
 
+#include "common/geometry/degrees.hpp"
+
 namespace markservo::rfid_localizer {
 namespace {
+
+using geometry::degrees;
 
 constexpr double kTrack = 0.32;
 constexpr double kMargin = 1.3;
@@ -17,7 +21,7 @@ constexpr double kFix = 0.01;  // m, standard deviation of a place that is measu
 
 WheelNoise noise(double drift_deg, double pivot_wander) {
   WheelNoise result;
-  result.drift = drift_deg * M_PI / 180.0;
+  result.drift = geometry::radians(drift_deg);
   result.pivot_wander = pivot_wander;
   result.track = kTrack;
   return result;
@@ -92,10 +96,6 @@ class JudgedDrive {
   Hypothesis filter_;
   int steps_ = 0;
 };
-
-double degrees(double radians) {
-  return radians * 180.0 / M_PI;
-}
 
 TEST(WheelJudge, FindsTheNoiseOfWheelsThatAreWorseThanStated) {
   for (unsigned seed = 1; seed <= 5; ++seed) {

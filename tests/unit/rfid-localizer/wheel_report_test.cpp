@@ -2,16 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include "common/geometry/degrees.hpp"
 
 namespace markservo::rfid_localizer {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr std::size_t kLongestText = 200;  // bytes
 
 WheelJudgement judged(double drift_deg, bool drift_small, double wander, bool wander_small) {
-  return {{2.0 * kDegree, drift_deg * kDegree, drift_small}, {0.0, wander, wander_small}};
+  return {{geometry::radians(2.0), geometry::radians(drift_deg), drift_small}, {0.0, wander, wander_small}};
 }
 
 TEST(WheelReport, SaysNothingOfWheelsAsStated) {
