@@ -20,23 +20,6 @@ struct Arc {
         middle(state[kHeading] + 0.5 * turn) {}
 };
 
-// What the wheels' noise grows with.
-struct NoisyWay {
-  double travel;   // m, on which the wheels drift
-  double turning;  // rad^2, of the heading, from the turning itself
-
-  NoisyWay(const WheelMotion& motion, const WheelNoise& noise) {
-    const double turned = noise.turn_error * noise.turn_error * std::abs(motion.turn);
-    // Wheels that run against each other go farther than the robot's middle. Those as good as most drift less on that
-    // than track and tyres let the turning err.
-    const double way = std::abs(motion.way);
-    const double against = std::max(0.0, 0.5 * noise.track * std::abs(motion.turn) - way);
-    const bool drifting = noise.drift * noise.drift * against > turned;
-    travel = drifting ? way + against : way;
-    turning = drifting ? 0.0 : turned;
-  }
-};
-
 }  // namespace
 
 StateCovariance motion_jacobian(const StateVector& state, const WheelMotion& motion) {
@@ -57,8 +40,15 @@ StateCovariance motion_jacobian(const StateVector& state, const WheelMotion& mot
 NoiseShares noise_shares(const StateVector& state, const WheelMotion& motion, const WheelNoise& noise) {
   const Arc arc(state, motion);
   const Eigen::Vector2d along(std::cos(arc.middle), std::sin(arc.middle));
-  const double travel = NoisyWay(motion, noise).travel;
+  const double turned = noise.turn_error * noise.turn_error * std::abs(motion.turn);
+  // Wheels that run against each other go farther than the robot's middle. Those as good as most drift less on that
+  // than track and tyres let the turning err.
+  const double way = std::abs(motion.way);
+  const double against = std::max(0.0, 0.5 * noise.track * std::abs(motion.turn) - way);
+  const bool drifting = noise.drift * noise.drift * against > turned;
+  const double travel = drifting ? way + against : way;
   NoiseShares shares;
+  shares.turning = drifting ? 0.0 : turned;
   shares.drift(kHeading, kHeading) = travel;
   // Independent wheels that let the heading drift so much let the way vary by this.
   shares.drift.topLeftCorner<2, 2>() = 0.25 * noise.track * noise.track * travel * along * along.transpose();
@@ -72,6 +62,7 @@ void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise
   const double c = std::cos(arc.middle);
   const double s = std::sin(arc.middle);
   const StateCovariance F = motion_jacobian(x, motion);
+  const NoiseShares shares = noise_shares(x, motion, noise);
 
   x[kX] += arc.way * c;
   x[kY] += arc.way * s;
@@ -79,17 +70,11 @@ void advance(Hypothesis& hypothesis, const WheelMotion& motion, const WheelNoise
 
   StateCovariance& P = hypothesis.covariance;
   P = F * P * F.transpose();
-  const NoisyWay noisy(motion, noise);
-  const double heading_variance = noise.drift * noise.drift * noisy.travel + noisy.turning;
-  // Independent wheels that let the heading drift so much let the way vary by this.
-  const double way_variance = 0.25 * noise.track * noise.track * noise.drift * noise.drift * noisy.travel;
+  P += noise.drift * noise.drift * shares.drift + noise.pivot_wander * noise.pivot_wander * shares.pivot_wander;
+  P(kHeading, kHeading) += shares.turning;
   const double creep_variance = noise.creep * noise.creep * motion.time + motion.unknown_way * motion.unknown_way;
-  const double wander_variance = noise.pivot_wander * noise.pivot_wander * motion.turning;
-  P(kHeading, kHeading) += heading_variance;
-  P(kX, kX) += way_variance * c * c + (creep_variance + wander_variance);
-  P(kX, kY) += way_variance * c * s;
-  P(kY, kX) += way_variance * c * s;
-  P(kY, kY) += way_variance * s * s + (creep_variance + wander_variance);
+  P(kX, kX) += creep_variance;
+  P(kY, kY) += creep_variance;
   P(kScale, kScale) += noise.scale_walk * noise.scale_walk * std::abs(motion.way);
   P(kDelay, kDelay) += noise.delay_walk * noise.delay_walk * motion.time;
   // Where the robot went unseen it may have turned as well.

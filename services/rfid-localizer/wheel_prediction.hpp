@@ -22,12 +22,13 @@ struct WheelNoise {
 struct NoiseShares {
   StateCovariance drift = StateCovariance::Zero();         // 1 / (rad^2 / m)
   StateCovariance pivot_wander = StateCovariance::Zero();  // 1 / (m^2 / rad)
+  double turning = 0.0;                                    // rad^2, of the heading by the turning itself: of no number
 };
 
 // The Jacobian of the motion by the state, at `state`.
 StateCovariance motion_jacobian(const StateVector& state, const WheelMotion& motion);
 
-// At `state`. What `noise` has the turning itself do to the heading is nobody's share.
+// At `state`.
 NoiseShares noise_shares(const StateVector& state, const WheelMotion& motion, const WheelNoise& noise);
 
 // One piece of the way. Mean on an arc; covariance by the arc's Jacobian.
