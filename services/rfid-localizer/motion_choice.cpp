@@ -15,7 +15,7 @@ void MotionChoice::choose(bool by_wheels) {
 }
 
 void MotionChoice::predict(Belief& belief, std::int64_t to) {
-  if (judge_ && by_wheels_) {
+  if (judge_ && by_wheels_ && judge_->following()) {
     Hypothesis all = moments(belief.mixture, now().angle());
     history_.replay(belief.utime, to, [&](const WheelMotion& piece) {
       judge_->moved(all.mean, piece);

@@ -60,6 +60,8 @@ class WheelJudge {
   const WheelNoise& believed() const { return believed_; }
   WheelJudgement judgement() const;
 
+  // Whether the estimate is known well enough to judge by: else moved() has nothing to do.
+  bool following() const { return following_; }
   // The estimate began anew: its covariance owes nothing to the wheels.
   void restart();
   // A piece of the way by which believed() predicted, from `state` on.
