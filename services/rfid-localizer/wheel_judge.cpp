@@ -48,9 +48,13 @@ Eigen::Vector2d WheelJudge::unconstrained() const {
   return information_.inverse() * evidence_;
 }
 
-void WheelJudge::restart() {
+void WheelJudge::forget_errors() {
   sources_.fill(StateCovariance::Zero());
   slopes_.fill(Slope{});
+}
+
+void WheelJudge::restart() {
+  forget_errors();
   following_ = false;
 }
 
@@ -89,13 +93,15 @@ void WheelJudge::matched(const Hypothesis& before, const Hypothesis& after, cons
   const Eigen::Matrix2d G = nonnegative(inverse * (S - H * after.covariance * H.transpose()) * inverse);
   const StateCovariance HGH = H.transpose() * G * H;
 
+  const Eigen::Vector2d believed(square(believed_.drift), square(believed_.pivot_wander));
   for (const int i : {kDrift, kWander}) {
-    const double spread = std::sqrt(std::max(0.0, trace_of_product(HGH, slopes_[i].common[i])));
-    const double most = parameters_.most_surprise * spread;
+    const double news = trace_of_product(HGH, slopes_[i].common[i]);
+    const double most = parameters_.most_surprise * std::sqrt(std::max(0.0, news));
     const double agreement = std::clamp(g.dot(H * slopes_[i].mean), -most, most);
     evidence_[i] += agreement + trace_of_product(HGH, slopes_[i].common[kUsed]);
     for (const int j : {kDrift, kWander}) information_(i, j) += trace_of_product(HGH, slopes_[i].common[j]);
-    fresh_[i] += trace_of_product(HGH, slopes_[i].common[i]);
+    judged_with_[i] += news / information_(i, i) * (believed[i] - judged_with_[i]);
+    fresh_[i] += news;
   }
 
   const StateCovariance left = StateCovariance::Identity() - P * HGH;
@@ -148,6 +154,8 @@ void WheelJudge::solve() {
     for (const int each : {kDrift, kWander}) limit(each, parameters_.worth);
     evidence_ = information_ * fits_;
     fresh_.setZero();
+    // What made it grow has told what it can: each round that still mends it would count it again.
+    forget_errors();
   }
   believed_ = stated_;
   if (too_small_[kDrift]) {

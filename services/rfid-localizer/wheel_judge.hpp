@@ -26,11 +26,13 @@ struct WheelJudgeParameters {
   double wander_unit = 0.01;    // m per sqrt(rad), likewise
   double certain = 3.0;         // standard deviations above what is stated: then it is wrong
   double least_wander = 0.005;  // m per sqrt(rad): less more than stated is lost among the tags
-  double anew = 2.0;            // what fits has grown by this factor: the rounds before were judged wrongly
-  double fresh = 1.0;           // draws between two such steps: what was seen once is no proof of another
-  double growth = 4.0;          // by no more at once: a filter that is told far too little is no good judge
-  double most_surprise = 4.0;   // standard deviations that a round counts: a robot that is pushed is no wheel's fault
-  double memory = 500.0;        // draws that count, an hour of driving: floors and loads change
+  // The rounds were judged wrongly, and count little, where what fits has grown to so many times the square that they
+  // were judged with on the average.
+  double anew = 2.0;
+  double fresh = 1.0;          // draws between two such steps: what was seen once is no proof of another
+  double growth = 4.0;         // by no more at once: a filter that is told far too little is no good judge
+  double most_surprise = 4.0;  // standard deviations that a round counts: a robot that is pushed is no wheel's fault
+  double memory = 500.0;       // draws that count, an hour of driving: floors and loads change
   // Standard deviations of an estimate that is one place and one direction, from which on it is judged, and by what
   // factor they may grow until it is not.
   double known_place = 0.06;   // m
@@ -91,6 +93,8 @@ class WheelJudge {
   void limit(int number, double draws);
   Eigen::Vector2d unconstrained() const;
   double least_square(int number) const;  // of what counts as a draw
+  // What the errors so far still change is held for or against no number.
+  void forget_errors();
 
   WheelNoise stated_;
   WheelJudgeParameters parameters_;
@@ -101,7 +105,7 @@ class WheelJudge {
   Eigen::Vector2d evidence_;                         // information times the squares
   Eigen::Vector2d fits_;                             // the squares
   Eigen::Vector2d fresh_ = Eigen::Vector2d::Zero();  // information since then
-  Eigen::Vector2d judged_with_;  // those that the prediction used when their information was limited last
+  Eigen::Vector2d judged_with_;  // squares that the prediction used, on the average of the information
   std::array<bool, 2> too_small_{};
   bool following_ = false;
 };

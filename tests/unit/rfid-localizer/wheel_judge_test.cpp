@@ -112,6 +112,33 @@ TEST(WheelJudge, FindsTheNoiseOfWheelsThatAreWorseThanStated) {
   }
 }
 
+// 60 pivots are 120 draws of the wander: it cannot be told better than to 6.5%.
+TEST(WheelJudge, FindsTheNoiseAlmostAsWellAsItsDrawsAllow) {
+  double drift_square = 0.0;
+  double wander_square = 0.0;
+  constexpr unsigned kSeeds = 20;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    JudgedDrive drive(stated(), noise(8.0, 0.02), seed);
+    drive.drive(60);
+    drift_square += std::pow(degrees(drive.judgement().drift.fits) / 8.0 - 1.0, 2) / kSeeds;
+    wander_square += std::pow(drive.judgement().pivot_wander.fits / 0.02 - 1.0, 2) / kSeeds;
+  }
+  EXPECT_LT(std::sqrt(drift_square), 0.065);
+  EXPECT_LT(std::sqrt(wander_square), 0.1);
+}
+
+TEST(WheelJudge, TakesOneErrorForNoProofTwice) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    JudgedDrive drive(stated(), noise(8.0, 0.02), seed);
+    drive.drive(1);
+    for (int leg = 2; leg <= 20; ++leg) {
+      drive.drive(1);
+      EXPECT_LT(degrees(drive.judgement().drift.fits), 2.0 * 8.0) << seed << ", leg " << leg;
+      EXPECT_LT(drive.judgement().pivot_wander.fits, 2.0 * 0.02) << seed << ", leg " << leg;
+    }
+  }
+}
+
 TEST(WheelJudge, KnowsWithinTwoMinutes) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     JudgedDrive drive(stated(), noise(8.0, 0.02), seed);
