@@ -2,11 +2,13 @@
 
 #include "services/rfid-localizer/wheel_judge.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "common/geometry/degrees.hpp"
 
@@ -98,17 +100,20 @@ class JudgedDrive {
 };
 
 TEST(WheelJudge, FindsTheNoiseOfWheelsThatAreWorseThanStated) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
-    JudgedDrive drive(stated(), noise(8.0, 0.02), seed);
-    drive.drive(60);
-    const WheelJudgement found = drive.judgement();
-    EXPECT_TRUE(found.drift.too_small) << seed;
-    EXPECT_TRUE(found.pivot_wander.too_small) << seed;
-    EXPECT_NEAR(degrees(found.drift.stated), 2.0, 1e-9);
-    EXPECT_NEAR(degrees(found.drift.fits), 8.0, 0.25 * 8.0) << seed;
-    EXPECT_NEAR(found.pivot_wander.fits, 0.02, 0.25 * 0.02) << seed;
-    EXPECT_NEAR(drive.judge().believed().drift, kMargin * found.drift.fits, 1e-12) << "as if robot.yaml said so";
-    EXPECT_EQ(drive.judge().believed().pivot_wander, found.pivot_wander.fits);
+  for (const auto& [drift_deg, pivot_wander] : {std::pair(8.0, 0.02), std::pair(5.0, 0.05), std::pair(15.0, 0.015)}) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      SCOPED_TRACE(fmt::format("{} deg, {} m, seed {}", drift_deg, pivot_wander, seed));
+      JudgedDrive drive(stated(), noise(drift_deg, pivot_wander), seed);
+      drive.drive(60);
+      const WheelJudgement found = drive.judgement();
+      EXPECT_TRUE(found.drift.too_small);
+      EXPECT_TRUE(found.pivot_wander.too_small);
+      EXPECT_NEAR(degrees(found.drift.stated), 2.0, 1e-9);
+      EXPECT_NEAR(degrees(found.drift.fits), drift_deg, 0.25 * drift_deg);
+      EXPECT_NEAR(found.pivot_wander.fits, pivot_wander, 0.25 * pivot_wander);
+      EXPECT_NEAR(drive.judge().believed().drift, kMargin * found.drift.fits, 1e-12) << "as if robot.yaml said so";
+      EXPECT_EQ(drive.judge().believed().pivot_wander, found.pivot_wander.fits);
+    }
   }
 }
 
