@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "common/geometry/degrees.hpp"
 #include "services/rfid-localizer/hypothesis.hpp"
 #include "services/rfid-localizer/wheel_prediction.hpp"
 
@@ -22,15 +23,15 @@ struct WheelJudgeParameters {
   // How much a number is worth that was not told by rounds of a prediction that used it, in draws of the noise: what is
   // stated before the first round, and what fitted when the prediction was still told much less.
   double worth = 3.0;
-  double drift_unit = 0.0175;   // rad per sqrt(m), of such a draw at the least: 1 degree
-  double wander_unit = 0.01;    // m per sqrt(rad), likewise
-  double certain = 3.0;         // standard deviations above what is stated: then it is wrong
-  double least_wander = 0.005;  // m per sqrt(rad): less more than stated is lost among the tags
+  double drift_unit = geometry::radians(1.0);  // rad per sqrt(m), of such a draw at the least
+  double wander_unit = 0.01;                   // m per sqrt(rad), likewise
+  double certain = 3.0;                        // standard deviations above what is stated: then it is wrong
+  double least_wander = 0.005;                 // m per sqrt(rad): with nothing stated, less is lost among the tags
   // The rounds were judged wrongly, and count little, where what fits has grown to so many times the square that they
   // were judged with on the average.
   double anew = 2.0;
   double fresh = 1.0;          // draws between two such steps: what was seen once is no proof of another
-  double growth = 4.0;         // by no more at once: a filter that is told far too little is no good judge
+  double growth = 4.0;         // of a square, at once: a filter that is told far too little is no good judge
   double most_surprise = 4.0;  // standard deviations that a round counts: a robot that is pushed is no wheel's fault
   double memory = 500.0;       // draws that count, an hour of driving: floors and loads change
   // Standard deviations of an estimate that is one place and one direction, from which on it is judged, and by what
@@ -38,8 +39,8 @@ struct WheelJudgeParameters {
   double known_place = 0.06;   // m
   double known_heading = 0.2;  // rad
   double no_longer = 3.0;
-  double most_drift = 1.0472;  // rad per sqrt(m): robot.yaml's most
-  double most_wander = 0.5;    // m per sqrt(rad): likewise
+  double most_drift = geometry::radians(60.0);  // rad per sqrt(m): robot.yaml's most
+  double most_wander = 0.5;                     // m per sqrt(rad): likewise
 };
 
 // One of robot.yaml's numbers, in its unit there, but for rad.
@@ -76,12 +77,14 @@ class WheelJudge {
   static constexpr int kWander = 1;
   static constexpr int kUsed = 2;
 
-  // The covariance of the errors that one unit of a noise, or all that was allowed for, has left.
+  // Squares are those of robot.yaml's numbers: rad^2/m of the drift, m^2/rad of the wander.
+
+  // The state's covariance by the errors that a noise has left: of drift and wander by one unit of the square.
   using Source = StateCovariance;
   // By one unit of a number's square.
   struct Slope {
-    StateVector mean = StateVector::Zero();  // how the estimate's mean changes
-    // What each source's errors have in common with that change.
+    StateVector mean = StateVector::Zero();  // how the estimate's mean, the state, changes
+    // What the errors of each source, in its unit, have in common with that change.
     std::array<StateCovariance, 3> common{StateCovariance::Zero(), StateCovariance::Zero(), StateCovariance::Zero()};
   };
 
@@ -101,10 +104,10 @@ class WheelJudge {
   WheelNoise believed_;
   std::array<Source, 3> sources_;  // drift, wander, and what the prediction allowed for
   std::array<Slope, 2> slopes_;
-  Eigen::Matrix2d information_;                      // on the squares of robot.yaml's numbers
-  Eigen::Vector2d evidence_;                         // information times the squares
-  Eigen::Vector2d fits_;                             // the squares
-  Eigen::Vector2d fresh_ = Eigen::Vector2d::Zero();  // information since then
+  Eigen::Matrix2d information_;                      // on the squares: one over the product of two
+  Eigen::Vector2d evidence_;                         // information times the squares: one over a square
+  Eigen::Vector2d fits_;                             // squares
+  Eigen::Vector2d fresh_ = Eigen::Vector2d::Zero();  // the information's diagonal, of rounds since the last step
   Eigen::Vector2d judged_with_;  // squares that the prediction used, on the average of the information
   std::array<bool, 2> too_small_{};
   bool following_ = false;
