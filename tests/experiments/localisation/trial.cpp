@@ -10,6 +10,7 @@
 #include "services/simulator/random.hpp"
 #include "tests/experiments/localisation/course.hpp"
 #include "tests/experiments/localisation/described_reader.hpp"
+#include "tests/experiments/localisation/described_wheels.hpp"
 #include "tests/experiments/localisation/field_box.hpp"
 #include "tests/experiments/localisation/fisher_bound.hpp"
 #include "tests/experiments/localisation/gaussian_radius.hpp"
@@ -49,8 +50,8 @@ class Trial {
         plan_(plan_course(the_case, field(), seed_)),
         delay_(robot.rfid->delay) {
     simulator::BaseRigParameters rig = the_case.rig;
-    rig.base.scale_sigma = robot.base->scale_sigma;
-    rig.base.drift = robot.base->drift;
+    rig.base = wheels_as_stated(*robot.base);
+    rig.base.slip = the_case.rig.base.slip;
     if (the_case.delay_sigma) {
       simulator::RandomBits bits(simulator::seed_for(seed_, kDelayStream, 0));
       delay_ = kLeastDelay + (kGreatestDelay - kLeastDelay) * bits.uniform();
@@ -71,7 +72,8 @@ class Trial {
     TrialResult result;
     result.seed = static_cast<std::int64_t>(seed_);
     const Localised ours = localised(true);
-    const auto bound = live_bound(bound_input(window.times), path, encoder_noise());
+    const EncoderNoise noise = encoder_noise(wheels_as_stated(*robot_.base), robot_.base->track);
+    const auto bound = live_bound(bound_input(window.times), path, noise);
     result.with_encoders = bounded(ours, bound, path, window);
     result.delay_error = ours.messages.back().delay - delay_;
     result.delay_error_bound = std::sqrt(bound.back()(3, 3));
@@ -131,14 +133,6 @@ class Trial {
     input.prior.heading_variance = told_.start_heading ? kStartHeadingSigma * kStartHeadingSigma : M_PI * M_PI / 3.0;
     input.prior.delay_variance = case_.delay_sigma ? kDrawnDelayVariance : rfid.delay_sigma * rfid.delay_sigma;
     return input;
-  }
-
-  EncoderNoise encoder_noise() const {
-    EncoderNoise noise;
-    noise.scale_sigma = robot_.base->scale_sigma;
-    noise.heading_drift = robot_.base->drift;
-    noise.along = 0.5 * robot_.base->drift * robot_.base->track;
-    return noise;
   }
 
   FreeScore free_score(const TruePath& path, const Window& window) const {

@@ -8,6 +8,7 @@
 
 #include "common/robot/configuration_error.hpp"
 #include "tests/experiments/experiment.hpp"
+#include "tests/experiments/localisation/described_wheels.hpp"
 #include "tests/experiments/progress_bar.hpp"
 #include "tests/experiments/wander/pivot_drive.hpp"
 #include "tests/experiments/wander/wander_report.hpp"
@@ -20,14 +21,6 @@ constexpr int kWorkers = 2;
 constexpr char kField[] = "hall";
 constexpr double kWorseDrift = geometry::radians(8.0);  // rad per sqrt(m)
 constexpr double kWorseWander = 0.02;                   // m per sqrt(rad)
-
-simulator::BaseModelParameters wheels_as_stated(const robot::BaseDescription& base) {
-  simulator::BaseModelParameters wheels;
-  wheels.scale_sigma = base.scale_sigma;
-  wheels.drift = base.drift;
-  wheels.pivot_wander = base.pivot_wander;
-  return wheels;
-}
 
 simulator::BaseModelParameters worse_wheels(const robot::BaseDescription& base) {
   simulator::BaseModelParameters wheels = wheels_as_stated(base);

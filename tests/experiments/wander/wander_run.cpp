@@ -6,6 +6,7 @@
 #include "services/rfid-localizer/localizer.hpp"
 #include "services/rfid-localizer/robot_parameters.hpp"
 #include "tests/experiments/localisation/described_reader.hpp"
+#include "tests/experiments/localisation/described_wheels.hpp"
 #include "tests/experiments/localisation/field_box.hpp"
 #include "tests/experiments/localisation/fisher_bound.hpp"
 #include "tests/experiments/localisation/gaussian_radius.hpp"
@@ -91,11 +92,7 @@ double mean_bound(const Drive& drive, const robot::RobotDescription& robot, cons
   input.prior.position_variance = field_box(field).size().cwiseAbs2() / 12.0;
   input.prior.heading_variance = M_PI * M_PI / 3.0;
   input.prior.delay_variance = rfid.delay_sigma * rfid.delay_sigma;
-  EncoderNoise noise;
-  noise.scale_sigma = wheels.scale_sigma;
-  noise.heading_drift = wheels.drift;
-  noise.along = 0.5 * wheels.drift * robot.base->track;
-  noise.pivot_wander = wheels.pivot_wander;
+  const EncoderNoise noise = encoder_noise(wheels, robot.base->track);
   std::vector<double> means;
   for (const Eigen::Matrix4d& bound : live_bound(input, TruePath(drive.truth), noise)) {
     means.push_back(mean_radial_error(bound.topLeftCorner<2, 2>()));
