@@ -10,6 +10,7 @@
 #include "tests/experiments/localisation/field_box.hpp"
 #include "tests/experiments/localisation/fisher_bound.hpp"
 #include "tests/experiments/localisation/gaussian_radius.hpp"
+#include "tests/experiments/localisation/heard_round.hpp"
 #include "tests/experiments/localisation/live_score.hpp"
 #include "tests/experiments/statistics.hpp"
 
@@ -19,15 +20,6 @@ namespace {
 namespace localizer = rfid_localizer;
 
 constexpr std::int64_t kSession = 1;
-
-localizer::TagRound heard(const simulator::TagRound& round) {
-  localizer::TagRound result{round.utime, kSession, round.window_start, round.window_end, round.window_known, {}};
-  for (const simulator::TagHit& hit : round.hits) {
-    result.reads.push_back({hit.uid, {}});
-    if (hit.read_time_known) result.reads.back().read_utime = hit.read_utime;
-  }
-  return result;
-}
 
 PoseEstimate estimate_at(const localizer::Localizer& localizer, std::int64_t utime) {
   const localizer::Estimate now = localizer.estimate(utime);
@@ -62,7 +54,7 @@ WanderScore localise_in_process(const Drive& drive, const robot::RobotDescriptio
   std::size_t next_round = 0;
   for (const simulator::OdometryReading& odometry : drive.odometry) {
     for (; next_round < drive.rounds.size() && drive.rounds[next_round].utime <= odometry.utime; ++next_round) {
-      localizer.observe(heard(drive.rounds[next_round]));
+      localizer.observe(heard(drive.rounds[next_round], kSession));
       const bool is_lost = localizer.estimate(odometry.utime).placement == localizer::Placement::kLost;
       if (is_lost && !lost) ++score.lost;
       lost = is_lost;

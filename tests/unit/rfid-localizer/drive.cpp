@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/experiments/localisation/heard_round.hpp"
+
 namespace markservo::rfid_localizer::test {
 namespace {
 
@@ -13,15 +15,6 @@ constexpr std::int64_t kSession = 5;
 LocalizerParameters with_survey(LocalizerParameters parameters, const robot::RobotDescription& robot) {
   parameters.survey_sigma = robot.floor_tags->survey_sigma;
   return parameters;
-}
-
-TagRound heard(const simulator::TagRound& round) {
-  TagRound result{round.utime, kSession, round.window_start, round.window_end, round.window_known, {}};
-  for (const simulator::TagHit& hit : round.hits) {
-    result.reads.push_back({hit.uid, {}});
-    if (hit.read_time_known) result.reads.back().read_utime = hit.read_utime;
-  }
-  return result;
 }
 
 }  // namespace
@@ -87,7 +80,7 @@ void Drive::change_reader(const simulator::RfidReaderParameters& parameters) {
 void Drive::hear(const simulator::BaseOutputs& due) {
   if (reader_) {
     for (const simulator::TagRound& round : due.rounds) {
-      TagRound told = heard(round);
+      TagRound told = experiments::heard(round, kSession);
       tamper(told);
       localizer_.observe(told);
       if (!localizer_.has_wheels()) history_.push_back(now());
