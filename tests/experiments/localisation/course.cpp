@@ -7,6 +7,7 @@
 
 #include "services/simulator/random.hpp"
 #include "tests/experiments/localisation/field_box.hpp"
+#include "tests/experiments/localisation/steering_law.hpp"
 
 namespace markservo::experiments {
 namespace {
@@ -15,16 +16,12 @@ using geometry::PlanePose;
 using simulator::RandomBits;
 
 constexpr std::uint64_t kPlanStream = 0xC1;
-constexpr double kAcceleration = 0.6;  // m/s^2, of the wanted speed; the base can do a little more
-constexpr double kRunUp = 0.35;        // m at full speed before the field: reach of the antenna, and time to settle
-constexpr double kStanding = 2.0;      // s
-constexpr double kStaticTime = 6.5;    // s: 6 s from about the first read on
-constexpr double kHallWay = 4.0;       // m
+constexpr double kRunUp = 0.35;      // m at full speed before the field: reach of the antenna, and time to settle
+constexpr double kStanding = 2.0;    // s
+constexpr double kStaticTime = 6.5;  // s: 6 s from about the first read on
+constexpr double kHallWay = 4.0;     // m
 
-// Gains of the course's control. Only stability and small errors matter.
-constexpr double kAlongGain = 3.0;    // 1/s
-constexpr double kNatural = 2.5;      // rad/s, of the lateral error's decay, critically damped
-constexpr double kLeastSpeed = 0.15;  // m/s, below which the steering would become violent
+constexpr double kAlongGain = 3.0;  // 1/s
 
 double uniform(RandomBits& bits, double from, double to) {
   return from + (to - from) * bits.uniform();
@@ -94,14 +91,14 @@ class CourseControl {
  public:
   explicit CourseControl(const CoursePlan& plan) : plan_(plan) {}
 
-  // The command for the base at `truth`, `time` s after the begin; called every `dt` s.
-  Eigen::Vector2d command(const simulator::BaseTruth& truth, double time, double dt) {
+  // The command for the base at `truth`, `time` s after the begin; called every kControlPeriod.
+  Eigen::Vector2d command(const simulator::BaseTruth& truth, double time) {
     double wanted = 0.0;
     for (const SpeedChange& change : plan_.speeds) {
       if (change.time <= time) wanted = change.speed;
     }
-    speed_ += std::clamp(wanted - speed_, -kAcceleration * dt, kAcceleration * dt);
-    behind_ += (speed_ - truth.speed) * dt;
+    speed_ += std::clamp(wanted - speed_, -kAcceleration * kControlPeriod, kAcceleration * kControlPeriod);
+    behind_ += (speed_ - truth.speed) * kControlPeriod;
     if (wanted == 0.0 && speed_ == 0.0) return {0.0, 0.0};
 
     const PlanePose& start = plan_.start;
@@ -120,9 +117,7 @@ class CourseControl {
       left_of_course = (p - begin).dot(direction(start.heading + M_PI / 2.0));
     }
     const double heading_error = geometry::wrapped(truth.pose.heading - heading);
-    const double turn = speed_ * curvature - kNatural * kNatural / std::max(speed_, kLeastSpeed) * left_of_course -
-                        2.0 * kNatural * heading_error;
-    return {speed_ + kAlongGain * behind_, turn};
+    return {speed_ + kAlongGain * behind_, turn_rate_along(speed_, curvature, left_of_course, heading_error)};
   }
 
  private:
@@ -186,9 +181,7 @@ CoursePlan plan_course(const LocalisationCase& the_case, const robot::TagField& 
 Drive drive(const robot::RobotDescription& robot, const simulator::BaseRigParameters& parameters,
             const CoursePlan& plan, std::uint64_t seed) {
   CourseControl control(plan);
-  const Steering steer = [&](const simulator::BaseTruth& truth, double time) {
-    return control.command(truth, time, kControlPeriod);
-  };
+  const Steering steer = [&](const simulator::BaseTruth& truth, double time) { return control.command(truth, time); };
   return record_drive(robot, parameters, plan.start, plan.duration, steer, seed);
 }
 

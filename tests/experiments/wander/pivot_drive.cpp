@@ -5,6 +5,7 @@
 
 #include "services/simulator/random.hpp"
 #include "tests/experiments/localisation/field_box.hpp"
+#include "tests/experiments/localisation/steering_law.hpp"
 
 namespace markservo::experiments {
 namespace {
@@ -13,14 +14,16 @@ using geometry::PlanePose;
 using simulator::RandomBits;
 
 constexpr std::uint64_t kLegStream = 0xC4;
-constexpr double kAcceleration = 0.6;  // m/s^2, of the wanted speed; the base can do a little more
 
-// Gains of the drive's control. Only stability and small errors matter.
-constexpr double kNatural = 2.5;      // rad/s, of the lateral error's decay, critically damped
-constexpr double kLeastSpeed = 0.15;  // m/s, below which the steering would become violent
-constexpr double kPivotGain = 4.0;    // 1/s
-constexpr double kThere = 0.003;      // m
-constexpr double kTurned = 0.005;     // rad
+constexpr double kPivotGain = 4.0;  // 1/s
+constexpr double kThere = 0.003;    // m
+constexpr double kTurned = 0.005;   // rad
+
+// rad, up or down W's x (axis 0) or y (axis 1).
+double heading_along(int axis, bool up) {
+  if (axis == 0) return up ? 0.0 : M_PI;
+  return up ? 0.5 * M_PI : -0.5 * M_PI;
+}
 
 // Follows the legs, one after the other.
 class LegControl {
@@ -33,14 +36,14 @@ class LegControl {
 
   const PlanePose& start() const { return start_; }
 
-  // Speed (m/s) and turn rate (rad/s) for the base at `pose`, `time` s after the begin; called every `dt` s.
-  Eigen::Vector2d command(const PlanePose& pose, double time, double dt) {
+  // Speed (m/s) and turn rate (rad/s) for the base at `pose`, `time` s after the begin; called every kControlPeriod.
+  Eigen::Vector2d command(const PlanePose& pose, double time) {
     if (time >= course_.leg_time * (legs_ + 1) && legs_ + 1 < course_.pivots) {
       ++legs_;
       pivoting_ = false;
       begin_leg({pose.x, pose.y});
     }
-    return pivoting_ ? pivot(pose) : follow(pose, dt);
+    return pivoting_ ? pivot(pose) : follow(pose);
   }
 
  private:
@@ -53,13 +56,12 @@ class LegControl {
     const bool up = p_W[axis] < box_.middle()[axis];
     begin_ = p_W;
     length_ = std::abs((up ? far_side(axis) : near_side(axis)) - p_W[axis]);
-    heading_ = axis == 0 ? (up ? 0.0 : M_PI) : (up ? 0.5 * M_PI : -0.5 * M_PI);
+    heading_ = heading_along(axis, up);
     const int next = 1 - axis;
-    const bool next_up = p_W[next] < box_.middle()[next];
-    next_heading_ = next == 0 ? (next_up ? 0.0 : M_PI) : (next_up ? 0.5 * M_PI : -0.5 * M_PI);
+    next_heading_ = heading_along(next, p_W[next] < box_.middle()[next]);
   }
 
-  Eigen::Vector2d follow(const PlanePose& pose, double dt) {
+  Eigen::Vector2d follow(const PlanePose& pose) {
     const Eigen::Vector2d along(std::cos(heading_), std::sin(heading_));
     const Eigen::Vector2d from_begin = Eigen::Vector2d(pose.x, pose.y) - begin_;
     const double left = length_ - along.dot(from_begin);
@@ -69,11 +71,9 @@ class LegControl {
       return Eigen::Vector2d::Zero();
     }
     const double wanted = std::min(course_.speed, std::sqrt(kAcceleration * left));
-    speed_ = std::min(wanted, speed_ + kAcceleration * dt);
+    speed_ = std::min(wanted, speed_ + kAcceleration * kControlPeriod);
     const double aside = along.x() * from_begin.y() - along.y() * from_begin.x();
-    const double turn = -kNatural * kNatural / std::max(speed_, kLeastSpeed) * aside -
-                        2.0 * kNatural * geometry::wrapped(pose.heading - heading_);
-    return {speed_, turn};
+    return {speed_, turn_rate_along(speed_, 0.0, aside, geometry::wrapped(pose.heading - heading_))};
   }
 
   Eigen::Vector2d pivot(const PlanePose& pose) const {
@@ -101,7 +101,7 @@ Drive drive_with_pivots(const robot::RobotDescription& robot, const simulator::B
                         const PivotDrive& course, std::uint64_t seed) {
   LegControl control(course, field_box(robot.floor_tags->field(parameters.tag_field)), seed);
   const Steering steer = [&](const simulator::BaseTruth& truth, double time) {
-    return control.command(truth.pose, time, kControlPeriod);
+    return control.command(truth.pose, time);
   };
   return record_drive(robot, parameters, control.start(), course.leg_time * course.pivots, steer, seed);
 }
