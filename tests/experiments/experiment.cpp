@@ -1,7 +1,10 @@
 #include "tests/experiments/experiment.hpp"
 
+#include <atomic>
 #include <cmath>
+#include <future>
 #include <iostream>
+#include <mutex>
 #include <stdexcept>
 
 #include "common/bus/bus_url.hpp"
@@ -10,6 +13,7 @@
 #include "common/bus/named_bus.hpp"
 #include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "tests/experiments/progress_bar.hpp"
 #include "tests/experiments/rig.hpp"
 
 namespace markservo::experiments {
@@ -44,6 +48,23 @@ int run_experiment(const std::string& description, int default_trials, int argc,
     std::cerr << "experiment failed: " << error.what() << "; the services' logs are in " << options.out << "\n";
     return bus::kExitBusUnavailable;
   }
+}
+
+void run_in_parallel(std::size_t count, const std::string& what, ProgressBar& progress,
+                     const std::function<void(std::size_t)>& work) {
+  constexpr int kWorkers = 2;
+  std::atomic<std::size_t> next{0};
+  std::mutex on_progress;
+  const auto work_on = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      work(i);
+      const std::lock_guard<std::mutex> lock(on_progress);
+      progress.advance(what);
+    }
+  };
+  std::vector<std::future<void>> workers;
+  for (int i = 0; i < kWorkers; ++i) workers.push_back(std::async(std::launch::async, work_on));
+  for (auto& worker : workers) worker.get();
 }
 
 double parse_number(const std::string& what, const std::string& text) {

@@ -2,6 +2,7 @@
 
 // What every experiment's main() shares: its options and the services it starts.
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -18,6 +19,8 @@ class App;
 
 namespace markservo::experiments {
 
+class ProgressBar;
+
 struct ExperimentOptions {
   int trials = 1;
   std::int64_t seed = 1;
@@ -33,6 +36,11 @@ struct ExperimentOptions {
 int run_experiment(const std::string& description, int default_trials, int argc, char** argv,
                    const std::function<bool(const ExperimentOptions&)>& body,
                    const std::function<void(CLI::App& app)>& add_options = {});
+
+// Calls `work` for each number from 0 to `count` - 1, two at a time, and has `progress` say of each that ends that it
+// is of `what`. What `work` throws is thrown when all are done.
+void run_in_parallel(std::size_t count, const std::string& what, ProgressBar& progress,
+                     const std::function<void(std::size_t)>& work);
 
 // The services of an experiment, found beside its own executable, each with its log in `options.out`.
 class Services {

@@ -1,12 +1,9 @@
 // scripts/experiment localisation: how well the pose is known while the base drives over the tag field; ours beside the
 // paper's method and beside the Fisher bound of the same drives.
 
-#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <future>
-#include <mutex>
 
 #include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
@@ -20,8 +17,6 @@ namespace markservo::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kWorkers = 2;  // each waits for a localizer of its own most of the time
 
 CaseResult run_case(const LocalisationCase& the_case, const ExperimentOptions& options, ProgressBar& progress) {
   TrialFiles files;
@@ -38,20 +33,11 @@ CaseResult run_case(const LocalisationCase& the_case, const ExperimentOptions& o
   }
   const auto count = static_cast<std::size_t>(options.trials * the_case.trials_factor);
   std::vector<TrialResult> trials(count);
-  std::atomic<std::size_t> next{0};
-  std::mutex on_progress;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      TrialFiles own = files;
-      own.keep_logs = i == 0;
-      trials[i] = run_trial(the_case, robot, own, options.seed + static_cast<std::int64_t>(i));
-      const std::lock_guard<std::mutex> lock(on_progress);
-      progress.advance(the_case.name);
-    }
-  };
-  std::vector<std::future<void>> workers;
-  for (int i = 0; i < kWorkers; ++i) workers.push_back(std::async(std::launch::async, work));
-  for (auto& worker : workers) worker.get();
+  run_in_parallel(count, the_case.name, progress, [&](std::size_t i) {
+    TrialFiles own = files;
+    own.keep_logs = i == 0;
+    trials[i] = run_trial(the_case, robot, own, options.seed + static_cast<std::int64_t>(i));
+  });
 
   CaseResult result;
   result.the_case = the_case;

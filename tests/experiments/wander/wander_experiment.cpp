@@ -1,10 +1,7 @@
 // scripts/experiment wander: wheels that are worse than robot.yaml states, what the localizer makes of them and what it
 // says of them. Its core runs in this process: 15 minutes of driving take seconds.
 
-#include <atomic>
 #include <cstdio>
-#include <future>
-#include <mutex>
 
 #include "common/robot/configuration_error.hpp"
 #include "tests/experiments/experiment.hpp"
@@ -17,7 +14,6 @@
 namespace markservo::experiments {
 namespace {
 
-constexpr int kWorkers = 2;
 constexpr char kField[] = "hall";
 constexpr double kWorseDrift = geometry::radians(8.0);  // rad per sqrt(m)
 constexpr double kWorseWander = 0.02;                   // m per sqrt(rad)
@@ -73,18 +69,8 @@ bool experiment(const ExperimentOptions& options) {
   }
   ProgressBar progress(options.trials);
   std::vector<std::vector<WanderResult>> seeds(static_cast<std::size_t>(options.trials));
-  std::atomic<std::size_t> next{0};
-  std::mutex on_progress;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < seeds.size(); i = next++) {
-      seeds[i] = run_seed(robot, options.seed + static_cast<std::int64_t>(i));
-      const std::lock_guard<std::mutex> lock(on_progress);
-      progress.advance("wander");
-    }
-  };
-  std::vector<std::future<void>> workers;
-  for (int i = 0; i < kWorkers; ++i) workers.push_back(std::async(std::launch::async, work));
-  for (auto& worker : workers) worker.get();
+  run_in_parallel(seeds.size(), "wander", progress,
+                  [&](std::size_t i) { seeds[i] = run_seed(robot, options.seed + static_cast<std::int64_t>(i)); });
 
   std::vector<WanderResult> results;
   for (const auto& seed : seeds) results.insert(results.end(), seed.begin(), seed.end());
