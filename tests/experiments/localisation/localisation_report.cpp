@@ -181,16 +181,7 @@ bool print_verdicts(const std::vector<CaseResult>& results, std::optional<double
       ++asked;
       met += verdict.met() ? 1 : 0;
       all_met = all_met && verdict.met();
-      char bar[64];
-      if (!std::isfinite(verdict.least)) {
-        std::snprintf(bar, sizeof bar, "at most %g", verdict.most);
-      } else if (!std::isfinite(verdict.most)) {
-        std::snprintf(bar, sizeof bar, "at least %g", verdict.least);
-      } else {
-        std::snprintf(bar, sizeof bar, "%g to %g", verdict.least, verdict.most);
-      }
-      std::printf("%-7s %-21s %s: %.2f %s (%s)\n", verdict.met() ? "met" : "missed", result.the_case.name.c_str(),
-                  verdict.what.c_str(), verdict.value, verdict.unit.c_str(), bar);
+      print_verdict(verdict, result.the_case.name);
     }
   }
   std::printf("%d of %d bars met\n", met, asked);

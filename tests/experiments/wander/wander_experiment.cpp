@@ -1,8 +1,6 @@
 // scripts/experiment wander: wheels that are worse than robot.yaml states, what the localizer makes of them and what it
 // says of them. Its core runs in this process: 15 minutes of driving take seconds.
 
-#include <cstdio>
-
 #include "common/robot/configuration_error.hpp"
 #include "tests/experiments/experiment.hpp"
 #include "tests/experiments/localisation/described_wheels.hpp"
@@ -79,8 +77,7 @@ bool experiment(const ExperimentOptions& options) {
   bool met = true;
   for (const Verdict& verdict : verdicts) {
     met = met && verdict.met();
-    std::printf("%-7s %s: %.2f %s\n", verdict.met() ? "met" : "missed", verdict.what.c_str(), verdict.value,
-                verdict.unit.c_str());
+    print_verdict(verdict);
   }
   write_wander_json(results, verdicts, options.out);
   return met;

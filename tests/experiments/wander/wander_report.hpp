@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "services/simulator/base/base_model.hpp"
-#include "tests/experiments/localisation/localisation_bars.hpp"
+#include "tests/experiments/localisation/verdict.hpp"
 #include "tests/experiments/wander/wander_run.hpp"
 
 namespace markservo::experiments {
