@@ -11,6 +11,12 @@ namespace {
 
 constexpr double kNews = 1.25;  // what fits has changed by this factor
 
+// Of a number above 0.
+double to_two_digits(double number) {
+  const double last = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
+  return std::round(number / last) * last;
+}
+
 std::string describe(const char* key, double stated, double fits, const char* unit) {
   if (stated <= 0.0) return fmt::format("{} is {:g}, {:.2g} {} would fit", key, stated, fits, unit);
   return fmt::format("{} is {:.3g}, {:.1f} times too small: {:.2g} {} would fit", key, stated, fits / stated, fits,
@@ -23,6 +29,15 @@ bool differ(const JudgedNumber& a, const JudgedNumber& b) {
 }
 
 }  // namespace
+
+WheelProposal proposal(const WheelJudgement& judgement) {
+  WheelProposal result;
+  if (judgement.drift.too_small) {
+    result.drift_deg_per_sqrt_m = to_two_digits(geometry::degrees(judgement.drift.fits));
+  }
+  if (judgement.pivot_wander.too_small) result.pivot_wander = to_two_digits(judgement.pivot_wander.fits);
+  return result;
+}
 
 std::string describe(const WheelJudgement& judgement) {
   std::string text;

@@ -48,8 +48,9 @@ std::vector<WanderResult> run_seed(const robot::RobotDescription& robot, std::in
   const double worse_bound = mean_bound(worse_drive, robot, scored, worse);
   add(WanderCase::kDelivered, worse_drive, robot, worse_bound);
   robot::RobotDescription mended = robot;
-  mended.base->drift = results.back().score.wheels.drift.fits;
-  mended.base->pivot_wander = results.back().score.wheels.pivot_wander.fits;
+  const rfid_localizer::WheelProposal proposal = proposal_of(results.back());
+  if (proposal.drift_deg_per_sqrt_m) mended.base->drift = geometry::radians(*proposal.drift_deg_per_sqrt_m);
+  if (proposal.pivot_wander) mended.base->pivot_wander = *proposal.pivot_wander;
   add(WanderCase::kProposed, worse_drive, mended, worse_bound);
 
   const simulator::BaseModelParameters stated = wheels_as_stated(*robot.base);

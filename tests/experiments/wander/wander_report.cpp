@@ -1,5 +1,7 @@
 #include "tests/experiments/wander/wander_report.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,9 +10,9 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "common/geometry/plane_pose.hpp"
-#include "services/rfid-localizer/wheel_report.hpp"
 #include "tests/experiments/statistics.hpp"
 
 namespace markservo::experiments {
@@ -30,11 +32,13 @@ constexpr double kMostRatio = 1.1;
 constexpr double kMostOff = 0.3;      // of a proposed number, as a share of the true one
 constexpr double kMostChange = 0.03;  // of the error, with wheels as stated
 
+// Those that there are, of a case's runs.
 std::vector<double> values(const std::vector<WanderResult>& results, WanderCase the_case,
-                           const std::function<double(const WanderResult&)>& value) {
+                           const std::function<std::optional<double>(const WanderResult&)>& value) {
   std::vector<double> list;
   for (const WanderResult& result : results) {
-    if (result.the_case == the_case) list.push_back(value(result));
+    if (result.the_case != the_case) continue;
+    if (const std::optional<double> number = value(result)) list.push_back(*number);
   }
   return list;
 }
@@ -52,7 +56,31 @@ double nees_of(const WanderResult& result) {
 }
 
 double lost_of(const WanderResult& result) {
-  return result.score.lost;
+  return static_cast<double>(result.score.lost.size());
+}
+
+std::optional<double> proposed_drift(const WanderResult& result) {
+  return proposal_of(result).drift_deg_per_sqrt_m;
+}
+
+std::optional<double> proposed_wander(const WanderResult& result) {
+  return proposal_of(result).pivot_wander;
+}
+
+// deg per sqrt(m)
+std::optional<double> fitting_drift(const WanderResult& result) {
+  if (!result.score.wheels) return std::nullopt;
+  return geometry::degrees(result.score.wheels->drift.fits);
+}
+
+std::optional<double> fitting_wander(const WanderResult& result) {
+  if (!result.score.wheels) return std::nullopt;
+  return result.score.wheels->pivot_wander.fits;
+}
+
+// As a share of the true one. What is not told is all of it off.
+double off(const std::optional<double>& proposed, double truth) {
+  return proposed ? std::abs(*proposed / truth - 1.0) : 1.0;
 }
 
 double mean_error(const std::vector<WanderResult>& results, WanderCase the_case) {
@@ -63,8 +91,16 @@ double ratio(const std::vector<WanderResult>& results, WanderCase the_case) {
   return mean_error(results, the_case) / mean(values(results, the_case, bound_of));
 }
 
+Json json_of(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
 Json json_of(const WanderResult& result) {
   const WanderScore& score = result.score;
+  Json lost = Json::array();
+  for (const LostSpell& spell : score.lost) {
+    lost.push_back({{"at_s", spell.begin}, {"for_s", spell.duration}, {"reason", spell.reason}});
+  }
   return {{"case", name_of(result.the_case)},
           {"seed", result.seed},
           {"driven_m", result.driven},
@@ -75,29 +111,48 @@ Json json_of(const WanderResult& result) {
           {"heading_error_rad", score.heading_error},
           {"nees", score.nees},
           {"not_localised_share", score.not_localised},
-          {"lost", score.lost},
-          {"fits_drift_deg_per_sqrt_m", geometry::degrees(score.wheels.drift.fits)},
-          {"fits_pivot_wander", score.wheels.pivot_wander.fits},
-          {"says", rfid_localizer::describe(score.wheels)}};
+          {"lost", lost},
+          {"fits_drift_deg_per_sqrt_m", json_of(fitting_drift(result))},
+          {"fits_pivot_wander", json_of(fitting_wander(result))},
+          {"proposed_drift_deg_per_sqrt_m", json_of(proposed_drift(result))},
+          {"proposed_pivot_wander", json_of(proposed_wander(result))},
+          {"says", score.wheels ? Json(rfid_localizer::describe(*score.wheels)) : Json(nullptr)}};
 }
 
 Json totals_of(const std::vector<WanderResult>& results, WanderCase the_case) {
-  const auto fits = [&](auto number) {
+  const auto spread = [&](auto number) {
     const std::vector<double> list = values(results, the_case, number);
-    return Json{{"mean", mean(list)}, {"min", percentile(list, 0.0)}, {"max", maximum(list)}};
+    if (list.empty()) return Json(nullptr);
+    return Json{{"runs", list.size()}, {"mean", mean(list)}, {"min", percentile(list, 0.0)}, {"max", maximum(list)}};
   };
-  return {
-      {"case", name_of(the_case)},
-      {"runs", values(results, the_case, error_of).size()},
-      {"mean_error_m", mean_error(results, the_case)},
-      {"bound_m", mean(values(results, the_case, bound_of))},
-      {"ratio", ratio(results, the_case)},
-      {"nees", mean(values(results, the_case, nees_of))},
-      {"nees_max", maximum(values(results, the_case, nees_of))},
-      {"lost_max", maximum(values(results, the_case, lost_of))},
-      {"fits_drift_deg_per_sqrt_m",
-       fits([](const WanderResult& result) { return geometry::degrees(result.score.wheels.drift.fits); })},
-      {"fits_pivot_wander", fits([](const WanderResult& result) { return result.score.wheels.pivot_wander.fits; })}};
+  return {{"case", name_of(the_case)},
+          {"runs", values(results, the_case, error_of).size()},
+          {"mean_error_m", mean_error(results, the_case)},
+          {"bound_m", mean(values(results, the_case, bound_of))},
+          {"ratio", ratio(results, the_case)},
+          {"nees", mean(values(results, the_case, nees_of))},
+          {"nees_max", maximum(values(results, the_case, nees_of))},
+          {"lost_max", maximum(values(results, the_case, lost_of))},
+          {"fits_drift_deg_per_sqrt_m", spread(fitting_drift)},
+          {"fits_pivot_wander", spread(fitting_wander)},
+          {"proposed_drift_deg_per_sqrt_m", spread(proposed_drift)},
+          {"proposed_pivot_wander", spread(proposed_wander)}};
+}
+
+// How far a proposed number goes over the runs, and how many propose one.
+std::string range(const std::vector<double>& proposed, double factor) {
+  if (proposed.empty()) return "-";
+  return fmt::format("{:.2g} to {:.2g} ({})", factor * percentile(proposed, 0.0), factor * maximum(proposed),
+                     proposed.size());
+}
+
+void print_lost(const std::vector<WanderResult>& results) {
+  for (const WanderResult& result : results) {
+    for (const LostSpell& spell : result.score.lost) {
+      std::printf("LOST: %s, seed %lld, at %.1f s for %.1f s: %s\n", name_of(result.the_case),
+                  static_cast<long long>(result.seed), spell.begin, spell.duration, spell.reason.c_str());
+    }
+  }
 }
 
 }  // namespace
@@ -116,18 +171,20 @@ const char* name_of(WanderCase the_case) {
   return "";
 }
 
+rfid_localizer::WheelProposal proposal_of(const WanderResult& result) {
+  if (!result.score.wheels) return {};
+  return rfid_localizer::proposal(*result.score.wheels);
+}
+
 std::vector<Verdict> wander_verdicts(const std::vector<WanderResult>& results,
                                      const simulator::BaseModelParameters& truth) {
-  const auto off = [&](double true_value, auto number) {
-    double worst = 0.0;
-    for (const double fits : values(results, WanderCase::kDelivered, number)) {
-      worst = std::max(worst, std::abs(fits / true_value - 1.0));
-    }
-    return worst;
-  };
-  const double drift_off = off(truth.drift, [](const WanderResult& result) { return result.score.wheels.drift.fits; });
-  const double wander_off =
-      off(truth.pivot_wander, [](const WanderResult& result) { return result.score.wheels.pivot_wander.fits; });
+  double drift_off = 0.0;
+  double wander_off = 0.0;
+  for (const WanderResult& result : results) {
+    if (result.the_case != WanderCase::kDelivered) continue;
+    drift_off = std::max(drift_off, off(proposed_drift(result), geometry::degrees(truth.drift)));
+    wander_off = std::max(wander_off, off(proposed_wander(result), truth.pivot_wander));
+  }
   const double change = mean_error(results, WanderCase::kStated) / mean_error(results, WanderCase::kStatedUnjudged) - 1;
   return {
       {"worse wheels, robot.yaml as delivered: NEES, 3 degrees of freedom",
@@ -143,20 +200,17 @@ std::vector<Verdict> wander_verdicts(const std::vector<WanderResult>& results,
 
 void print_wander(const std::vector<WanderResult>& results) {
   std::printf("\n%-22s %4s  %-18s %5s %6s %5s %7s  %s\n", "case", "runs", "error / bound, cm", "ratio", "NEES", "worst",
-              "LOST", "fits: drift, deg/sqrt(m); wander, cm/sqrt(rad)");
+              "LOST", "proposed (runs): drift, deg/sqrt(m); wander, cm/sqrt(rad)");
   for (const WanderCase the_case : kCases) {
-    const auto drifts = values(results, the_case, [](const WanderResult& result) {
-      return geometry::degrees(result.score.wheels.drift.fits);
-    });
-    const auto wanders = values(
-        results, the_case, [](const WanderResult& result) { return 100.0 * result.score.wheels.pivot_wander.fits; });
-    std::printf("%-22s %4zu  %5.2f / %5.2f      %5.2f %6.2f %5.2f %7.0f  %.2f to %.2f; %.2f to %.2f\n",
-                name_of(the_case), drifts.size(), 100.0 * mean_error(results, the_case),
+    std::printf("%-22s %4zu  %5.2f / %5.2f      %5.2f %6.2f %5.2f %7.0f  %s; %s\n", name_of(the_case),
+                values(results, the_case, error_of).size(), 100.0 * mean_error(results, the_case),
                 100.0 * mean(values(results, the_case, bound_of)), ratio(results, the_case),
                 mean(values(results, the_case, nees_of)), maximum(values(results, the_case, nees_of)),
-                maximum(values(results, the_case, lost_of)), percentile(drifts, 0.0), maximum(drifts),
-                percentile(wanders, 0.0), maximum(wanders));
+                maximum(values(results, the_case, lost_of)),
+                range(values(results, the_case, proposed_drift), 1.0).c_str(),
+                range(values(results, the_case, proposed_wander), 100.0).c_str());
   }
+  print_lost(results);
 }
 
 void write_wander_json(const std::vector<WanderResult>& results, const std::vector<Verdict>& verdicts,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "services/rfid-localizer/wheel_report.hpp"
 #include "services/simulator/base/base_model.hpp"
 #include "tests/experiments/localisation/verdict.hpp"
 #include "tests/experiments/wander/wander_run.hpp"
@@ -29,6 +30,9 @@ struct WanderResult {
   double bound = 0.0;   // m
   WanderScore score;
 };
+
+// What the service proposed after the drive; nothing where it did not judge.
+rfid_localizer::WheelProposal proposal_of(const WanderResult& result);
 
 // `truth`: how the worse wheels err.
 std::vector<Verdict> wander_verdicts(const std::vector<WanderResult>& results,

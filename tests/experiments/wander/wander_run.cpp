@@ -50,14 +50,16 @@ WanderScore localise_in_process(const Drive& drive, const robot::RobotDescriptio
   localizer::Localizer localizer(*robot.base, *robot.rfid, robot.floor_tags->field(run.tag_field), parameters);
   WanderScore score;
   std::vector<PoseEstimate> estimates;
-  bool lost = false;
+  bool was_lost = false;
   std::size_t next_round = 0;
   for (const simulator::OdometryReading& odometry : drive.odometry) {
     for (; next_round < drive.rounds.size() && drive.rounds[next_round].utime <= odometry.utime; ++next_round) {
       localizer.observe(heard(drive.rounds[next_round], kSession));
-      const bool is_lost = localizer.estimate(odometry.utime).placement == localizer::Placement::kLost;
-      if (is_lost && !lost) ++score.lost;
-      lost = is_lost;
+      const localizer::Estimate now = localizer.estimate(odometry.utime);
+      const bool is_lost = now.placement == localizer::Placement::kLost;
+      if (is_lost && !was_lost) score.lost.push_back({seconds(odometry.utime), 0.0, now.reason});
+      if (is_lost || was_lost) score.lost.back().duration = seconds(odometry.utime) - score.lost.back().begin;
+      was_lost = is_lost;
     }
     localizer.observe(localizer::EncoderReading{odometry.utime, kSession, odometry.ticks.left, odometry.ticks.right});
     estimates.push_back(estimate_at(localizer, odometry.utime));
@@ -67,7 +69,7 @@ WanderScore localise_in_process(const Drive& drive, const robot::RobotDescriptio
   score.heading_error = mean(live.settled_heading);
   score.nees = mean(live.settled_nees);
   score.not_localised = live.settled_not_localised / static_cast<double>(live.settled.size());
-  score.wheels = localizer.wheel_judgement();
+  if (run.judging) score.wheels = localizer.wheel_judgement();
   return score;
 }
 

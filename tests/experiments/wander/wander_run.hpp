@@ -2,8 +2,9 @@
 
 // The localizer's own core on a drive, without bus and clock, scored.
 
-#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "common/robot/robot_description.hpp"
 #include "services/rfid-localizer/wheel_judge.hpp"
@@ -17,14 +18,20 @@ struct WanderRun {
   double settling = 120.0;  // s that are not scored
 };
 
+struct LostSpell {
+  double begin = 0.0;     // s since the drive's begin
+  double duration = 0.0;  // s
+  std::string reason;     // at its begin
+};
+
 // Over the samples at 50 Hz after the settling, where nothing else is said.
 struct WanderScore {
-  double error = 0.0;                     // m, mean radial error of the live pose
-  double heading_error = 0.0;             // rad, mean absolute, while driving
-  double nees = 0.0;                      // mean, of (x, y, heading), where it claims to be localised
-  double not_localised = 0.0;             // share of the samples
-  int lost = 0;                           // times that it became LOST, from the begin on
-  rfid_localizer::WheelJudgement wheels;  // at the end
+  double error = 0.0;                                    // m, mean radial error of the live pose
+  double heading_error = 0.0;                            // rad, mean absolute, while driving
+  double nees = 0.0;                                     // mean, of (x, y, heading), where it claims to be localised
+  double not_localised = 0.0;                            // share of the samples
+  std::vector<LostSpell> lost;                           // from the begin on
+  std::optional<rfid_localizer::WheelJudgement> wheels;  // at the end; nothing: not judged
 };
 
 WanderScore localise_in_process(const Drive& drive, const robot::RobotDescription& robot, const WanderRun& run);

@@ -27,6 +27,17 @@ TEST(WheelReport, NamesTheNumberByHowMuchItIsWrongAndWhatFits) {
             "base.odometry.pivot_wander is 0.01, 3.0 times too small: 0.03 m/sqrt(rad) would fit");
 }
 
+TEST(WheelReport, ProposesWhatItNamesAndNothingElse) {
+  const WheelProposal both = proposal(judged(8.237, true, 0.0213, true));
+  EXPECT_DOUBLE_EQ(both.drift_deg_per_sqrt_m.value(), 8.2);
+  EXPECT_DOUBLE_EQ(both.pivot_wander.value(), 0.021);
+  EXPECT_DOUBLE_EQ(proposal(judged(9.96, true, 0.0, false)).drift_deg_per_sqrt_m.value(), 10.0);
+  EXPECT_DOUBLE_EQ(proposal(judged(12.4, true, 0.0, false)).drift_deg_per_sqrt_m.value(), 12.0);
+  const WheelProposal none = proposal(judged(2.9, false, 0.004, false));
+  EXPECT_FALSE(none.drift_deg_per_sqrt_m);
+  EXPECT_FALSE(none.pivot_wander);
+}
+
 TEST(WheelReport, NamesBothInOneShortText) {
   const std::string text = describe(judged(8.2, true, 0.0213, true));
   EXPECT_NE(text.find("drift_deg_per_sqrt_m"), std::string::npos);
