@@ -88,7 +88,8 @@ void WheelJudge::matched(const Hypothesis& before, const Hypothesis& after, cons
   StateVector change = after.mean - before.mean;
   change[kHeading] = geometry::wrapped(change[kHeading]);
   const Eigen::Matrix2d inverse = S.inverse();
-  // The slope of the round's log likelihood by the antenna's place, and what that slope squared is on average.
+  // A round's likelihood is no Gaussian: only the slope of its logarithm by the antenna's place, and what that slope
+  // squared is on average, hold whatever its form.
   const Eigen::Vector2d g = inverse * H * change;
   const Eigen::Matrix2d G = nonnegative(inverse * (S - H * after.covariance * H.transpose()) * inverse);
   const StateCovariance HGH = H.transpose() * G * H;

@@ -29,7 +29,7 @@ StateCovariance motion_jacobian(const StateVector& state, const WheelMotion& mot
   StateCovariance F = StateCovariance::Identity();
   F(kX, kHeading) = -arc.way * s;
   F(kY, kHeading) = arc.way * c;
-  // Of the chord's length and of its direction.
+  // A wheel that is larger makes the chord longer and turns it.
   const double longer = motion.way * std::cos(0.5 * arc.turn);
   F(kX, kScale) = longer * c - arc.way * s * 0.5 * motion.turn;
   F(kY, kScale) = longer * s + arc.way * c * 0.5 * motion.turn;

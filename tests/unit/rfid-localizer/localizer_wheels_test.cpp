@@ -29,7 +29,7 @@ void legs(Drive& drive, int count) {
   for (int leg = 0; leg < count; ++leg) {
     drive.go(6.0, 0.25, 0.0);
     drive.stand(0.6);
-    // To the middle, give or take.
+    // Back to where tags are all around, but by no turn of always the same angle.
     const geometry::PlanePose pose = drive.now().truth.pose;
     const double back = std::atan2(2.0 - pose.y, 2.0 - pose.x) + (leg % 2 == 0 ? 0.4 : -0.4);
     double missing = geometry::wrapped(back - pose.heading);
