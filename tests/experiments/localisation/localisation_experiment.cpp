@@ -31,7 +31,7 @@ CaseResult run_case(const LocalisationCase& the_case, const ExperimentOptions& o
   if (!robot.base || !robot.rfid || !robot.floor_tags) {
     throw ConfigurationError(files.robot_file + ": lacks base, rfid or floor_tags; the experiment needs all three");
   }
-  const auto count = static_cast<std::size_t>(options.trials * the_case.trials_factor);
+  const auto count = static_cast<std::size_t>(options.trials) * static_cast<std::size_t>(the_case.trials_factor);
   std::vector<TrialResult> trials(count);
   run_in_parallel(count, the_case.name, progress, [&](std::size_t i) {
     TrialFiles own = files;

@@ -209,7 +209,7 @@ TEST(EncoderCounters, TurningToAndFroAddsUp) {
   counters.motion(driver.after(kPeriod, 0, 0));
   double turning = 0.0;
   double turn = 0.0;
-  for (const int direction : {1, -1}) {
+  for (const std::int64_t direction : {1, -1}) {
     for (int i = 0; i < 50; ++i) {
       const auto motion = counters.motion(driver.after(kPeriod, -5 * direction, 5 * direction));
       turning += motion->turning;
