@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "common/bus/gap_counter.hpp"
-#include "services/log-tool/bus_limits.hpp"
-#include "services/log-tool/log_event.hpp"
+#include "common/logs/bus_limits.hpp"
+#include "common/logs/log_event.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -27,13 +27,13 @@ class ChannelStatistics {
     summary_.channel = std::move(channel);
   }
 
-  void add(const Event& event) {
+  void add(const logs::Event& event) {
     note_time(event.utime);
     ++summary_.events;
     const auto size = static_cast<std::int64_t>(event.data.size);
     summary_.bytes += size;
     summary_.largest = std::max(summary_.largest, size);
-    if (event.data.size > kLargestByUdp) ++summary_.too_large;
+    if (event.data.size > logs::kLargestByUdp) ++summary_.too_large;
     std::uint64_t fingerprint = 0;
     if (!reflection::read_fingerprint(event.data.data, event.data.size, &fingerprint)) {
       ++summary_.undecodable;
@@ -62,7 +62,7 @@ class ChannelStatistics {
  private:
   void note_time(std::int64_t utime) {
     if (summary_.events == 0) summary_.first_utime = summary_.last_utime = newest_ = utime;
-    summary_.longest_gap = std::max(summary_.longest_gap, seconds_apart(newest_, utime));
+    summary_.longest_gap = std::max(summary_.longest_gap, logs::seconds_apart(newest_, utime));
     newest_ = utime;
     summary_.first_utime = std::min(summary_.first_utime, utime);
     summary_.last_utime = std::max(summary_.last_utime, utime);
@@ -103,12 +103,12 @@ class ChannelStatistics {
 }  // namespace
 
 double ChannelSummary::hz() const {
-  const double span = seconds_apart(first_utime, last_utime);
+  const double span = logs::seconds_apart(first_utime, last_utime);
   return events > 1 && span > 0.0 ? static_cast<double>(events - 1) / span : 0.0;
 }
 
 double LogSummary::seconds() const {
-  return seconds_apart(first_utime, last_utime);
+  return logs::seconds_apart(first_utime, last_utime);
 }
 
 std::int64_t LogSummary::undecodable() const {
@@ -117,11 +117,11 @@ std::int64_t LogSummary::undecodable() const {
   return sum;
 }
 
-LogSummary summarise(const std::vector<Event>& events, const reflection::TypeCatalog& catalog) {
+LogSummary summarise(const std::vector<logs::Event>& events, const reflection::TypeCatalog& catalog) {
   LogSummary summary;
   summary.steps = time_steps(events);
   std::map<std::string, ChannelStatistics, std::less<>> channels;
-  for (const Event& event : events) {
+  for (const logs::Event& event : events) {
     if (summary.events == 0) summary.first_utime = summary.last_utime = event.utime;
     summary.first_utime = std::min(summary.first_utime, event.utime);
     summary.last_utime = std::max(summary.last_utime, event.utime);

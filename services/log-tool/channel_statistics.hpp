@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "common/logs/log_event.hpp"
 #include "common/reflection/message_value.hpp"
-#include "services/log-tool/log_event.hpp"
 #include "services/log-tool/time_steps.hpp"
 
 namespace markservo::log_tool {
@@ -44,6 +44,6 @@ struct LogSummary {
   std::int64_t undecodable() const;
 };
 
-LogSummary summarise(const std::vector<Event>& events, const reflection::TypeCatalog& catalog);
+LogSummary summarise(const std::vector<logs::Event>& events, const reflection::TypeCatalog& catalog);
 
 }  // namespace markservo::log_tool

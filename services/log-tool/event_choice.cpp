@@ -36,19 +36,19 @@ class ChannelFilter {
 
 }  // namespace
 
-std::set<std::string> channels_of(const std::vector<Event>& events) {
+std::set<std::string> channels_of(const std::vector<logs::Event>& events) {
   std::set<std::string, std::less<>> names;
-  for (const Event& event : events) {
+  for (const logs::Event& event : events) {
     if (names.find(event.channel) == names.end()) names.emplace(event.channel);
   }
   return {names.begin(), names.end()};
 }
 
-std::vector<Event> chosen(const std::vector<Event>& events, const EventChoice& choice) {
+std::vector<logs::Event> chosen(const std::vector<logs::Event>& events, const EventChoice& choice) {
   ChannelFilter filter(choice, channels_of(events));
-  std::vector<Event> taken;
-  for (const Event& event : events) {
-    const double after = seconds_apart(events.front().utime, event.utime);
+  std::vector<logs::Event> taken;
+  for (const logs::Event& event : events) {
+    const double after = logs::seconds_apart(events.front().utime, event.utime);
     if ((choice.from && after < *choice.from) || (choice.to && after >= *choice.to)) continue;
     if (filter.takes(event.channel)) taken.push_back(event);
   }

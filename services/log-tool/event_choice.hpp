@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "services/log-tool/log_event.hpp"
+#include "common/logs/log_event.hpp"
 
 namespace markservo::log_tool {
 
@@ -17,9 +17,9 @@ struct EventChoice {
   std::vector<std::string> without;   // taken out again
 };
 
-std::set<std::string> channels_of(const std::vector<Event>& events);
+std::set<std::string> channels_of(const std::vector<logs::Event>& events);
 
 // Those events, in their order. Throws std::invalid_argument for a pattern that is none.
-std::vector<Event> chosen(const std::vector<Event>& events, const EventChoice& choice);
+std::vector<logs::Event> chosen(const std::vector<logs::Event>& events, const EventChoice& choice);
 
 }  // namespace markservo::log_tool

@@ -10,10 +10,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 
+#include "common/logs/log_files.hpp"
 #include "services/log-tool/csv_table.hpp"
 #include "services/log-tool/frame_pictures.hpp"
 #include "services/log-tool/known_values.hpp"
-#include "services/log-tool/log_files.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -40,32 +40,32 @@ class FileNames {
   std::set<std::string> used_;
 };
 
-DecodedMessage decoded(const Event& event, const TypeCatalog& types) {
+DecodedMessage decoded(const logs::Event& event, const TypeCatalog& types) {
   return reflection::decode(types, event.data.data, event.data.size);
 }
 
-std::uint64_t fingerprint_of(const Event& event) {
+std::uint64_t fingerprint_of(const logs::Event& event) {
   std::uint64_t fingerprint = 0;
   reflection::read_fingerprint(event.data.data, event.data.size, &fingerprint);
   return fingerprint;
 }
 
 // The first known type among them; null when there is none.
-const reflection::MessageType* type_of(const std::vector<Event>& messages, const TypeCatalog& types) {
-  for (const Event& message : messages) {
+const reflection::MessageType* type_of(const std::vector<logs::Event>& messages, const TypeCatalog& types) {
+  for (const logs::Event& message : messages) {
     const reflection::MessageType* type = types.find(fingerprint_of(message));
     if (type != nullptr) return type;
   }
   return nullptr;
 }
 
-std::string write_table(const std::string& path, const std::vector<Event>& events, const TypeCatalog& types) {
+std::string write_table(const std::string& path, const std::vector<logs::Event>& events, const TypeCatalog& types) {
   CsvColumns columns;
-  for (const Event& event : events) columns.learn(reflection::leaves(decoded(event, types).fields));
+  for (const logs::Event& event : events) columns.learn(reflection::leaves(decoded(event, types).fields));
   std::ofstream table(path);
   table << columns.header();
   std::size_t left_out = 0;
-  for (const Event& event : events) {
+  for (const logs::Event& event : events) {
     DecodedMessage message = decoded(event, types);
     if (message.error.empty()) {
       leave_out_unknown(message.fields);
@@ -75,16 +75,17 @@ std::string write_table(const std::string& path, const std::vector<Event>& event
     }
   }
   table.flush();
-  if (!table) throw LogFileError(path + ": cannot be written; allowed: a folder with room that can be written");
+  if (!table) throw logs::LogFileError(path + ": cannot be written; allowed: a folder with room that can be written");
   return fmt::format("{}: {} messages{}\n", path, events.size() - left_out,
                      left_out > 0 ? fmt::format(", {} left out: they cannot be decoded", left_out) : "");
 }
 
-std::string write_pictures(const std::string& folder, const std::vector<Event>& events, const TypeCatalog& types) {
+std::string write_pictures(const std::string& folder, const std::vector<logs::Event>& events,
+                           const TypeCatalog& types) {
   fs::create_directories(folder);
   int number = 0;
   int left_out = 0;
-  for (const Event& event : events) {
+  for (const logs::Event& event : events) {
     ++number;
     const DecodedMessage message = decoded(event, types);
     const FramePictures pictures =
@@ -96,7 +97,7 @@ std::string write_pictures(const std::string& folder, const std::vector<Event>& 
     for (const auto& [side, picture] : {std::pair("left", &pictures.left), std::pair("right", &pictures.right)}) {
       const std::string path = fmt::format("{}/{:06}_{}.png", folder, number, side);
       if (!cv::imwrite(path, *picture)) {
-        throw LogFileError(path + ": cannot be written; allowed: a folder with room that can be written");
+        throw logs::LogFileError(path + ": cannot be written; allowed: a folder with room that can be written");
       }
     }
   }
@@ -106,14 +107,14 @@ std::string write_pictures(const std::string& folder, const std::vector<Event>& 
 
 }  // namespace
 
-std::string export_events(const std::vector<Event>& events, const std::string& folder, const TypeCatalog& types) {
-  std::map<std::string, std::vector<Event>> channels;
-  for (const Event& event : events) channels[std::string(event.channel)].push_back(event);
+std::string export_events(const std::vector<logs::Event>& events, const std::string& folder, const TypeCatalog& types) {
+  std::map<std::string, std::vector<logs::Event>> channels;
+  for (const logs::Event& event : events) channels[std::string(event.channel)].push_back(event);
   std::string report;
   FileNames names;
   try {
     fs::create_directories(folder);
-    if (!fs::is_empty(folder)) throw LogFileError(folder + ": is not empty; allowed: a new or empty folder");
+    if (!fs::is_empty(folder)) throw logs::LogFileError(folder + ": is not empty; allowed: a new or empty folder");
     for (const auto& [channel, messages] : channels) {
       const reflection::MessageType* type = type_of(messages, types);
       if (type == nullptr) {
@@ -127,7 +128,7 @@ std::string export_events(const std::vector<Event>& events, const std::string& f
       if (type->full_name() == "markservo.StereoFrame") report += write_pictures(path, messages, types);
     }
   } catch (const fs::filesystem_error& error) {
-    throw LogFileError(folder + ": " + error.code().message() + "; allowed: a folder that can be written");
+    throw logs::LogFileError(folder + ": " + error.code().message() + "; allowed: a folder that can be written");
   }
   return report;
 }

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "services/log-tool/log_files.hpp"
+#include "common/logs/log_files.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -17,7 +17,7 @@ fs::path target(const fs::path& folder, const std::string& path, const std::stri
   const fs::path relative = fs::path(path).lexically_normal();
   const bool leaves = std::any_of(relative.begin(), relative.end(), [](const fs::path& part) { return part == ".."; });
   if (path.empty() || relative.is_absolute() || leaves) {
-    throw LogFileError(manifest + ": configuration path '" + path + "'; allowed: one within the project");
+    throw logs::LogFileError(manifest + ": configuration path '" + path + "'; allowed: one within the project");
   }
   return folder / relative;
 }
@@ -28,9 +28,9 @@ std::string extract_config(const std::string& recording, const std::string& fold
   const std::string path = recording + "/manifest.json";
   std::ifstream file(path);
   if (!file) {
-    throw LogFileError(path +
-                       ": cannot be read; allowed: the folder of a recording, which keeps the configuration "
-                       "(a log alone does not)");
+    throw logs::LogFileError(path +
+                             ": cannot be read; allowed: the folder of a recording, which keeps the configuration "
+                             "(a log alone does not)");
   }
   std::string report;
   try {
@@ -38,18 +38,18 @@ std::string extract_config(const std::string& recording, const std::string& fold
     for (const auto& entry : manifest.at("configuration").at("files")) {
       const fs::path place = target(folder, entry.at("path").get<std::string>(), path);
       const std::string text = entry.at("text").get<std::string>();
-      if (fs::exists(place)) throw LogFileError(place.string() + ": exists; allowed: a new folder");
+      if (fs::exists(place)) throw logs::LogFileError(place.string() + ": exists; allowed: a new folder");
       fs::create_directories(place.parent_path());
       std::ofstream out(place, std::ios::binary);
       out << text;
       out.flush();
-      if (!out) throw LogFileError(place.string() + ": cannot be written; allowed: a folder that can be written");
+      if (!out) throw logs::LogFileError(place.string() + ": cannot be written; allowed: a folder that can be written");
       report += place.string() + "\n";
     }
   } catch (const nlohmann::json::exception& error) {
-    throw LogFileError(path + ": no manifest of a recording: " + error.what());
+    throw logs::LogFileError(path + ": no manifest of a recording: " + error.what());
   } catch (const fs::filesystem_error& error) {
-    throw LogFileError(folder + ": " + error.code().message() + "; allowed: a folder that can be written");
+    throw logs::LogFileError(folder + ": " + error.code().message() + "; allowed: a folder that can be written");
   }
   return report;
 }

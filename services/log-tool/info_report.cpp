@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "common/logs/bus_limits.hpp"
 #include "common/reflection/type_catalog.hpp"
 #include "common/reflection/value_text.hpp"
-#include "services/log-tool/bus_limits.hpp"
 #include "services/log-tool/play_choice.hpp"
 
 namespace markservo::log_tool {
@@ -54,7 +54,7 @@ std::string legend(const LogSummary& summary) {
   if (any([](const ChannelSummary& channel) { return channel.too_large > 0; })) {
     text +=
         fmt::format("too large: messages above {:.0f} MB, which a bus by UDP loses; a replay to it leaves them out\n",
-                    1e-6 * kLargestByUdp);
+                    1e-6 * logs::kLargestByUdp);
   }
   if (any([](const ChannelSummary& channel) { return channel.type.empty() && channel.channel != kLcmSelfTest; })) {
     text += "0x...: a type that is not known; --types FILE.lcm... tells it\n";
@@ -93,7 +93,7 @@ std::string utc(std::int64_t utime) {
 
 }  // namespace
 
-std::string info_text(const LogSet& logs, const LogSummary& summary) {
+std::string info_text(const logs::LogSet& logs, const LogSummary& summary) {
   std::string text;
   for (const auto& file : logs.files()) {
     text += fmt::format("{}: {}, {} events{}\n", file->path(), size_text(static_cast<std::int64_t>(file->bytes())),
@@ -122,12 +122,13 @@ std::string info_text(const LogSet& logs, const LogSummary& summary) {
   return text + legend(summary);
 }
 
-nlohmann::ordered_json info_json(const LogSet& logs, const LogSummary& summary) {
+nlohmann::ordered_json info_json(const logs::LogSet& logs, const LogSummary& summary) {
   nlohmann::ordered_json json;
   json["files"] = nlohmann::ordered_json::array();
   for (const auto& file : logs.files()) {
     auto damage = nlohmann::ordered_json::array();
-    for (const Damage& piece : file->damage()) damage.push_back({{"offset", piece.offset}, {"bytes", piece.bytes}});
+    for (const logs::Damage& piece : file->damage())
+      damage.push_back({{"offset", piece.offset}, {"bytes", piece.bytes}});
     json["files"].push_back({{"path", file->path()},
                              {"bytes", file->bytes()},
                              {"events", file->events().size()},
@@ -166,10 +167,10 @@ nlohmann::ordered_json info_json(const LogSet& logs, const LogSummary& summary) 
   return json;
 }
 
-std::string damage_text(const LogSet& logs, const LogSummary& summary) {
+std::string damage_text(const logs::LogSet& logs, const LogSummary& summary) {
   std::string text;
   for (const auto& file : logs.files()) {
-    for (const Damage& piece : file->damage()) {
+    for (const logs::Damage& piece : file->damage()) {
       text += fmt::format("{}: {} bytes from byte {} on belong to no event\n", file->path(), piece.bytes, piece.offset);
     }
   }

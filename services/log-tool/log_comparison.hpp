@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "common/logs/log_event.hpp"
 #include "common/reflection/type_catalog.hpp"
-#include "services/log-tool/log_event.hpp"
 
 namespace markservo::log_tool {
 
@@ -53,7 +53,7 @@ struct LogComparison {
   bool complete() const;
 };
 
-LogComparison compare(const std::vector<Event>& recorded, const std::vector<Event>& replayed,
+LogComparison compare(const std::vector<logs::Event>& recorded, const std::vector<logs::Event>& replayed,
                       const reflection::TypeCatalog& catalog, const ComparisonParameters& parameters);
 
 }  // namespace markservo::log_tool

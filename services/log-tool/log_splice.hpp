@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "services/log-tool/log_event.hpp"
+#include "common/logs/log_event.hpp"
 
 namespace markservo::log_tool {
 
 // The recorded log with its messages on the channels of `derived` replaced by those of `derived`: what the next service
 // of a chain would have heard. Each stands where its counterpart stood; one that has none, behind the last recorded
 // message with its utime, else behind the derived one before it.
-std::vector<Event> spliced(const std::vector<Event>& recorded, const std::vector<Event>& derived);
+std::vector<logs::Event> spliced(const std::vector<logs::Event>& recorded, const std::vector<logs::Event>& derived);
 
 }  // namespace markservo::log_tool

@@ -10,6 +10,7 @@
 #include "common/bus/command_line.hpp"
 #include "common/bus/exit_code.hpp"
 #include "common/bus/named_bus.hpp"
+#include "common/logs/log_files.hpp"
 #include "common/reflection/type_files.hpp"
 #include "common/reflection/value_text.hpp"
 #include "common/text/typed_command.hpp"
@@ -17,7 +18,6 @@
 #include "services/log-tool/export_command.hpp"
 #include "services/log-tool/extract_config_command.hpp"
 #include "services/log-tool/info_report.hpp"
-#include "services/log-tool/log_files.hpp"
 #include "services/log-tool/log_merge.hpp"
 #include "services/log-tool/log_splice.hpp"
 #include "services/log-tool/log_tool_options.hpp"
@@ -25,6 +25,7 @@
 
 namespace {
 
+namespace logs = markservo::logs;
 using namespace markservo::log_tool;
 using markservo::reflection::json_text;
 using markservo::reflection::shown_name;
@@ -41,13 +42,13 @@ void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-LogSet open_logs(const std::vector<std::string>& paths, const TypeCatalog& types = TypeCatalog::ours()) {
-  return LogSet(paths, fit_of(types));
+logs::LogSet open_logs(const std::vector<std::string>& paths, const TypeCatalog& types = TypeCatalog::ours()) {
+  return logs::LogSet(paths, logs::fit_of(types));
 }
 
 int info(const Options& options) {
   const TypeCatalog known = types_with(options.types);
-  const LogSet logs = open_logs(options.inputs, known);
+  const logs::LogSet logs = open_logs(options.inputs, known);
   const LogSummary summary = summarise(logs.events(), known);
   if (options.json) {
     print(json_text(info_json(logs, summary)));
@@ -60,7 +61,7 @@ int info(const Options& options) {
 
 int verify(const Options& options) {
   const TypeCatalog known = types_with(options.types);
-  const LogSet logs = open_logs(options.inputs, known);
+  const logs::LogSet logs = open_logs(options.inputs, known);
   const LogSummary summary = summarise(logs.events(), known);
   const std::string damage = damage_text(logs, summary);
   print(damage);
@@ -70,12 +71,12 @@ int verify(const Options& options) {
 
 int repair(const Options& options) {
   const TypeCatalog known = types_with(options.types);
-  const LogSet logs = open_logs({options.input}, known);
-  const std::vector<Event> events = logs.events();
-  write_log(options.output, events);
+  const logs::LogSet logs = open_logs({options.input}, known);
+  const std::vector<logs::Event> events = logs.events();
+  logs::write_log(options.output, events);
   std::size_t lost = 0;
   for (const auto& file : logs.files()) {
-    for (const Damage& damage : file->damage()) lost += damage.bytes;
+    for (const logs::Damage& damage : file->damage()) lost += damage.bytes;
   }
   print(options.output + ": " + std::to_string(events.size()) + " events; " + std::to_string(lost) +
         " damaged bytes left out\n");
@@ -83,17 +84,18 @@ int repair(const Options& options) {
 }
 
 int cut(const Options& options) {
-  const LogSet logs = open_logs({options.input});
-  const std::vector<Event> events = chosen(logs.events(), options.choice);
-  if (events.empty()) throw LogFileError(options.input + ": no event is chosen; allowed: times and channels it has");
-  write_log(options.output, events);
+  const logs::LogSet logs = open_logs({options.input});
+  const std::vector<logs::Event> events = chosen(logs.events(), options.choice);
+  if (events.empty())
+    throw logs::LogFileError(options.input + ": no event is chosen; allowed: times and channels it has");
+  logs::write_log(options.output, events);
   print(options.output + ": " + std::to_string(events.size()) + " events\n");
   return kGood;
 }
 
 // What is put together: each input's events refer to its log.
 int write_merged(const std::vector<std::string>& paths, const std::string& output) {
-  std::vector<LogSet> logs;
+  std::vector<logs::LogSet> logs;
   std::vector<MergeInput> inputs;
   for (const std::string& path : paths) {
     logs.push_back(open_logs({path}));
@@ -101,7 +103,7 @@ int write_merged(const std::vector<std::string>& paths, const std::string& outpu
     if (logs.back().damaged()) print(path + ": is damaged: what can be read is taken (verify says more)\n");
   }
   const Merge merge = merged(inputs);
-  write_log(output, merge.events);
+  logs::write_log(output, merge.events);
   for (const std::string& remark : merge.remarks) print(remark + "\n");
   print(output + ": " + std::to_string(merge.events.size()) + " events by time; " + std::to_string(merge.late) +
         " were out of order\n");
@@ -110,7 +112,8 @@ int write_merged(const std::vector<std::string>& paths, const std::string& outpu
 
 int merge_logs(const Options& options) {
   constexpr std::size_t kFewest = 3;
-  if (options.inputs.size() < kFewest) throw LogFileError("merge: allowed are two logs or more, and then the new one");
+  if (options.inputs.size() < kFewest)
+    throw logs::LogFileError("merge: allowed are two logs or more, and then the new one");
   return write_merged({options.inputs.begin(), options.inputs.end() - 1}, options.inputs.back());
 }
 
@@ -120,7 +123,7 @@ int sort_log(const Options& options) {
 
 int export_log(const Options& options) {
   const TypeCatalog known = types_with(options.types);
-  const LogSet logs = open_logs({options.input}, known);
+  const logs::LogSet logs = open_logs({options.input}, known);
   print(export_events(chosen(logs.events(), options.choice), options.output, known));
   return kGood;
 }
@@ -132,10 +135,10 @@ int extract(const Options& options) {
 
 int compare_logs(const Options& options) {
   const TypeCatalog known = types_with(options.types);
-  const LogSet recorded = open_logs({options.input}, known);
-  const LogSet replayed = open_logs({options.other}, known);
-  const std::vector<Event> before = recorded.events();
-  const std::vector<Event> now = replayed.events();
+  const logs::LogSet recorded = open_logs({options.input}, known);
+  const logs::LogSet replayed = open_logs({options.other}, known);
+  const std::vector<logs::Event> before = recorded.events();
+  const std::vector<logs::Event> now = replayed.events();
   if (options.exact) {
     const std::string mismatch = first_mismatch(before, now);
     print(mismatch.empty() ? "the same " + std::to_string(now.size()) + " events\n" : mismatch + "\n");
@@ -148,9 +151,9 @@ int compare_logs(const Options& options) {
 }
 
 int splice(const Options& options) {
-  const LogSet recorded = open_logs({options.input});
-  const LogSet derived = open_logs({options.other});
-  write_log(options.output, spliced(chosen(recorded.events(), options.choice), derived.events()));
+  const logs::LogSet recorded = open_logs({options.input});
+  const logs::LogSet derived = open_logs({options.other});
+  logs::write_log(options.output, spliced(chosen(recorded.events(), options.choice), derived.events()));
   return kGood;
 }
 

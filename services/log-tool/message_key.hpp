@@ -5,8 +5,8 @@
 #include <string>
 #include <tuple>
 
+#include "common/logs/log_event.hpp"
 #include "common/reflection/type_catalog.hpp"
-#include "services/log-tool/log_event.hpp"
 
 namespace markservo::log_tool {
 
@@ -16,14 +16,15 @@ using MessageKey = std::tuple<std::string, std::int64_t, int>;
 
 // The utime of a message of ours, us; 0 where it has none. Of an unknown type what stands at that place, likely a time.
 // Of another system's that `types` has: its first field, if that is an int64_t.
-std::int64_t message_utime(const Event& event, const reflection::TypeCatalog& types = reflection::TypeCatalog::ours());
+std::int64_t message_utime(const logs::Event& event,
+                           const reflection::TypeCatalog& types = reflection::TypeCatalog::ours());
 
 // Gives each message of one run its key; to be asked in the run's order.
 class MessageKeys {
  public:
   explicit MessageKeys(const reflection::TypeCatalog& types = reflection::TypeCatalog::ours()) : types_(types) {}
 
-  MessageKey next(const Event& event);
+  MessageKey next(const logs::Event& event);
 
  private:
   const reflection::TypeCatalog& types_;

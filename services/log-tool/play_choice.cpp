@@ -6,9 +6,9 @@
 #include <iterator>
 #include <markservo/channels.hpp>
 
+#include "common/logs/bus_limits.hpp"
 #include "common/reflection/message_value.hpp"
 #include "common/reflection/value_text.hpp"
-#include "services/log-tool/bus_limits.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -36,14 +36,14 @@ class MessageJudge {
       : wishes_(wishes), types_(types), moving_(moving_types(types)), names_others_(wishes.names_others()) {}
 
   // False notes in the plan why not.
-  bool lets_through(const std::string& channel, const Event& event, PlayPlan& plan) const {
+  bool lets_through(const std::string& channel, const logs::Event& event, PlayPlan& plan) const {
     std::uint64_t fingerprint = 0;
     const bool has_type = reflection::read_fingerprint(event.data.data, event.data.size, &fingerprint);
     if (!wishes_.all && has_type && moving_.count(fingerprint) > 0) {
       ++plan.moving_messages[channel];
     } else if (!names_others_ && (!has_type || types_.find(fingerprint) == nullptr)) {
       ++plan.others_messages[channel];
-    } else if (wishes_.by_udp && event.data.size > kLargestByUdp) {
+    } else if (wishes_.by_udp && event.data.size > logs::kLargestByUdp) {
       TooLarge& too_large = plan.too_large[channel];
       ++too_large.messages;
       too_large.largest = std::max(too_large.largest, event.data.size);
@@ -93,7 +93,7 @@ std::string names_of(const std::vector<std::string>& channels) {
 }  // namespace
 
 Fate fate_of(const std::string& channel, const PlayWishes& wishes) {
-  if (channel.empty() || channel.size() > kLongestLcmChannel || channel.find('\0') != std::string::npos) {
+  if (channel.empty() || channel.size() > logs::kLongestLcmChannel || channel.find('\0') != std::string::npos) {
     return Fate::kNoName;
   }
   if (wishes.channels && !wishes.channels->matches(channel)) return Fate::kNotNamed;
@@ -110,12 +110,12 @@ Fate fate_of(const std::string& channel, const PlayWishes& wishes) {
   return Fate::kPlayed;
 }
 
-PlayPlan plan_of(const std::vector<Event>& events, const PlayWishes& wishes, const reflection::TypeCatalog& types,
+PlayPlan plan_of(const std::vector<logs::Event>& events, const PlayWishes& wishes, const reflection::TypeCatalog& types,
                  const std::function<bool()>& goes_on) {
   const MessageJudge judge(wishes, types);
   PlayPlan plan;
   std::map<std::string, Fate, std::less<>> fates;
-  for (const Event& event : events) {
+  for (const logs::Event& event : events) {
     if (!goes_on()) break;
     auto known = fates.find(event.channel);
     if (known == fates.end()) {
@@ -156,7 +156,7 @@ std::vector<std::string> left_out_text(const PlayPlan& plan) {
   for (const auto& [channel, too_large] : plan.too_large) {
     lines.push_back(messages(too_large.messages, channel) +
                     fmt::format(" of up to {:.1f} MB: above {:.0f} MB a bus by UDP loses them",
-                                1e-6 * static_cast<double>(too_large.largest), 1e-6 * kLargestByUdp));
+                                1e-6 * static_cast<double>(too_large.largest), 1e-6 * logs::kLargestByUdp));
   }
   return lines;
 }

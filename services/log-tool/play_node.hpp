@@ -7,7 +7,7 @@
 #include <string>
 
 #include "common/bus/bus_url.hpp"
-#include "services/log-tool/log_files.hpp"
+#include "common/logs/log_files.hpp"
 
 namespace markservo::log_tool {
 
@@ -35,6 +35,6 @@ struct PlayOptions {
 // lasts that it goes on. Listens for 1.2 s before. Throws BusInUse (never with `join`), BusUnavailable,
 // and std::invalid_argument when nothing is left to play. False if the bus did not take some message, which is said on
 // standard error.
-bool play(const LogSet& logs, const PlayOptions& options);
+bool play(const logs::LogSet& logs, const PlayOptions& options);
 
 }  // namespace markservo::log_tool

@@ -17,7 +17,7 @@ const char* plural(std::int64_t count) {
 
 }  // namespace
 
-TimeSteps time_steps(const std::vector<Event>& events) {
+TimeSteps time_steps(const std::vector<logs::Event>& events) {
   TimeSteps steps;
   if (events.empty()) return steps;
   const std::int64_t first = events.front().utime;
@@ -26,22 +26,23 @@ TimeSteps time_steps(const std::vector<Event>& events) {
   walk.to(first);
   for (std::size_t i = 1; i < events.size(); ++i) {
     const std::int64_t before = events[i - 1].utime;
-    const double step_s = seconds_apart(before, events[i].utime);
+    const double step_s = logs::seconds_apart(before, events[i].utime);
     if (step_s < 0.0) ++steps.back;
-    steps.farthest_back = std::max(steps.farthest_back, -seconds_apart(newest, events[i].utime));
+    steps.farthest_back = std::max(steps.farthest_back, -logs::seconds_apart(newest, events[i].utime));
     if (events[i].utime < newest) ++steps.late;
     newest = std::max(newest, events[i].utime);
     const TimeWalk::Step step = walk.to(events[i].utime);
     if (step.jumped) ++steps.jumps;
     if (step.silent_s > kSilence_s) {
-      steps.silences.push_back({seconds_apart(first, events[i].utime) - step.silent_s, step.silent_s});
+      steps.silences.push_back({logs::seconds_apart(first, events[i].utime) - step.silent_s, step.silent_s});
     }
   }
   return steps;
 }
 
-std::vector<Event> sorted_by_time(std::vector<Event> events) {
-  std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.utime < b.utime; });
+std::vector<logs::Event> sorted_by_time(std::vector<logs::Event> events) {
+  std::stable_sort(events.begin(), events.end(),
+                   [](const logs::Event& a, const logs::Event& b) { return a.utime < b.utime; });
   for (std::size_t i = 0; i < events.size(); ++i) events[i].number = static_cast<std::int64_t>(i);
   return events;
 }

@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "services/log-tool/log_event.hpp"
+#include "common/logs/log_event.hpp"
 
 namespace markservo::log_tool {
 
@@ -39,11 +39,11 @@ class TimeWalk {
 
   // To the next event, recorded at `utime`, us.
   Step to(std::int64_t utime) {
-    const double step_s = begun_ ? seconds_apart(newest_, utime) : 0.0;
+    const double step_s = begun_ ? logs::seconds_apart(newest_, utime) : 0.0;
     begun_ = begun_ || begin_at(utime);
     double wait_s = step_s;
     if (const auto line = line_come_to(utime, step_s); line != lines_.end()) {
-      wait_s = std::max(0.0, line->second + seconds_apart(line->first, utime) - waited_s_);
+      wait_s = std::max(0.0, line->second + logs::seconds_apart(line->first, utime) - waited_s_);
       lines_.erase(line);
       leave_line();
       begin_at(utime);
@@ -75,13 +75,13 @@ class TimeWalk {
     const auto above = lines_.upper_bound(utime);
     if (above == lines_.begin()) return lines_.end();
     const auto line = std::prev(above);
-    return line->first > newest_ && !jumps(seconds_apart(line->first, utime)) ? line : lines_.end();
+    return line->first > newest_ && !jumps(logs::seconds_apart(line->first, utime)) ? line : lines_.end();
   }
 
   // It may be come back to. What is just below it was the same clock's, when it was left before.
   void leave_line() {
     auto line = lines_.insert_or_assign(newest_, waited_s_).first;
-    while (line != lines_.begin() && seconds_apart(std::prev(line)->first, begin_) <= kLargestStepBack_s) {
+    while (line != lines_.begin() && logs::seconds_apart(std::prev(line)->first, begin_) <= kLargestStepBack_s) {
       lines_.erase(std::prev(line));
     }
   }

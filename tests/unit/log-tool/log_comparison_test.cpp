@@ -6,17 +6,17 @@
 
 #include "services/log-tool/comparison_report.hpp"
 #include "services/log-tool/log_splice.hpp"
-#include "tests/unit/log-tool/log_bytes.hpp"
+#include "tests/unit/logs/log_bytes.hpp"
 
 namespace markservo::log_tool {
 namespace {
 
-OwnedEvent pose(std::int64_t utime, double x, std::int64_t session = 1) {
-  return {0, utime + 5, "TARGET_POSE", payload(target_pose(utime, session, utime, x))};
+logs::OwnedEvent pose(std::int64_t utime, double x, std::int64_t session = 1) {
+  return {0, utime + 5, "TARGET_POSE", logs::payload(logs::target_pose(utime, session, utime, x))};
 }
 
-LogComparison compared(const std::vector<OwnedEvent>& recorded, const std::vector<OwnedEvent>& replayed) {
-  return compare(views(recorded), views(replayed), reflection::TypeCatalog::ours(), {});
+LogComparison compared(const std::vector<logs::OwnedEvent>& recorded, const std::vector<logs::OwnedEvent>& replayed) {
+  return compare(logs::views(recorded), logs::views(replayed), reflection::TypeCatalog::ours(), {});
 }
 
 TEST(LogComparison, TakesTheSameValuesByAnotherWriterAsEqual) {
@@ -54,10 +54,10 @@ TEST(LogComparison, TellsAMissingMessageFromOneWhoseInputsTheLogLacks) {
 }
 
 TEST(LogComparison, SeesAReplayThatEndsEarlyBeginsLateOrAnswersElsewhere) {
-  const std::vector<OwnedEvent> recorded = {pose(1, 0.5), pose(2'000'000, 0.5), pose(4'000'000, 0.5)};
+  const std::vector<logs::OwnedEvent> recorded = {pose(1, 0.5), pose(2'000'000, 0.5), pose(4'000'000, 0.5)};
   EXPECT_EQ(compared(recorded, {pose(1, 0.5), pose(2'000'000, 0.5)}).channels.at("TARGET_POSE").missing, 1);
   EXPECT_EQ(compared(recorded, {pose(4'000'000, 0.5)}).channels.at("TARGET_POSE").missing, 1);
-  OwnedEvent elsewhere = pose(1, 0.5);
+  logs::OwnedEvent elsewhere = pose(1, 0.5);
   elsewhere.channel = "TARGET_POSES";
   EXPECT_FALSE(compared(recorded, {elsewhere}).as_recorded());
   EXPECT_FALSE(compared(recorded, {}).as_recorded());
@@ -71,42 +71,42 @@ TEST(LogComparison, CountsWhatTheLiveServiceSkippedAsNoDifference) {
 }
 
 TEST(LogComparison, SeesAnElementMoreAndAnotherType) {
-  TargetPose longer = target_pose(1, 1, 1, 0.5);
+  TargetPose longer = logs::target_pose(1, 1, 1, 0.5);
   longer.num_marks = 2;
   longer.marks.resize(2);
-  const LogComparison more = compared({pose(1, 0.5)}, {{0, 6, "TARGET_POSE", payload(longer)}});
+  const LogComparison more = compared({pose(1, 0.5)}, {{0, 6, "TARGET_POSE", logs::payload(longer)}});
   EXPECT_FALSE(more.as_recorded());
   EXPECT_EQ(more.first->field, "num_marks");
   StopState other{};
   other.utime = 1;
-  EXPECT_FALSE(compared({pose(1, 0.5)}, {{0, 6, "TARGET_POSE", payload(other)}}).as_recorded());
+  EXPECT_FALSE(compared({pose(1, 0.5)}, {{0, 6, "TARGET_POSE", logs::payload(other)}}).as_recorded());
 }
 
 TEST(ExactComparison, WantsTheSameChannelsAndPayloadsInTheSameOrderAtAnyTime) {
-  const std::vector<OwnedEvent> one = {pose(1, 0.5), pose(2, 0.5)};
-  std::vector<OwnedEvent> other = one;
+  const std::vector<logs::OwnedEvent> one = {pose(1, 0.5), pose(2, 0.5)};
+  std::vector<logs::OwnedEvent> other = one;
   other[0].utime += 1000;
-  EXPECT_EQ(first_mismatch(views(one), views(other)), "");
+  EXPECT_EQ(first_mismatch(logs::views(one), logs::views(other)), "");
   other[1].channel = "X";
-  EXPECT_EQ(first_mismatch(views(one), views(other)), "event 1: channel TARGET_POSE here, X there");
+  EXPECT_EQ(first_mismatch(logs::views(one), logs::views(other)), "event 1: channel TARGET_POSE here, X there");
   other = {pose(1, 0.5), pose(2, 0.6)};
-  EXPECT_EQ(first_mismatch(views(one), views(other)), "event 1: TARGET_POSE differs in its payload");
+  EXPECT_EQ(first_mismatch(logs::views(one), logs::views(other)), "event 1: TARGET_POSE differs in its payload");
   other.pop_back();
-  EXPECT_EQ(first_mismatch(views(one), views(other)), "2 events here, 1 there");
+  EXPECT_EQ(first_mismatch(logs::views(one), logs::views(other)), "2 events here, 1 there");
 }
 
 TEST(Splice, PutsDerivedMessagesWhereTheRecordedOnesStood) {
   const auto input = [](std::int64_t utime) {
     StopState state{};
     state.utime = utime;
-    return OwnedEvent{0, 100 + utime, "STOP_STATE", payload(state)};
+    return logs::OwnedEvent{0, 100 + utime, "STOP_STATE", logs::payload(state)};
   };
-  const std::vector<OwnedEvent> recorded = {input(1), pose(1, 0.1), input(2), pose(2, 0.1), input(3), input(4)};
-  const std::vector<OwnedEvent> derived = {pose(1, 0.7), pose(2, 0.7), pose(3, 0.7)};
-  const std::vector<OwnedEvent> wanted = {input(1), pose(1, 0.7), input(2), pose(2, 0.7),
-                                          input(3), pose(3, 0.7), input(4)};
-  const std::vector<Event> got = spliced(views(recorded), views(derived));
-  EXPECT_EQ(first_mismatch(got, views(wanted)), "");
+  const std::vector<logs::OwnedEvent> recorded = {input(1), pose(1, 0.1), input(2), pose(2, 0.1), input(3), input(4)};
+  const std::vector<logs::OwnedEvent> derived = {pose(1, 0.7), pose(2, 0.7), pose(3, 0.7)};
+  const std::vector<logs::OwnedEvent> wanted = {input(1), pose(1, 0.7), input(2), pose(2, 0.7),
+                                                input(3), pose(3, 0.7), input(4)};
+  const std::vector<logs::Event> got = spliced(logs::views(recorded), logs::views(derived));
+  EXPECT_EQ(first_mismatch(got, logs::views(wanted)), "");
   for (std::size_t i = 0; i < got.size(); ++i) EXPECT_EQ(got[i].number, static_cast<std::int64_t>(i));
 }
 

@@ -6,7 +6,7 @@
 #include "services/log-tool/channel_statistics.hpp"
 #include "services/log-tool/csv_table.hpp"
 #include "services/log-tool/event_choice.hpp"
-#include "tests/unit/log-tool/log_bytes.hpp"
+#include "tests/unit/logs/log_bytes.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -15,14 +15,15 @@ const reflection::TypeCatalog& catalog() {
   return reflection::TypeCatalog::ours();
 }
 
-OwnedEvent pose_event(std::int64_t utime, std::int64_t session, std::int64_t seq) {
-  return {seq, utime, "TARGET_POSE", payload(target_pose(utime, session, seq))};
+logs::OwnedEvent pose_event(std::int64_t utime, std::int64_t session, std::int64_t seq) {
+  return {seq, utime, "TARGET_POSE", logs::payload(logs::target_pose(utime, session, seq))};
 }
 
 TEST(LogSummary, CountsLossesInEachSession) {
-  const std::vector<OwnedEvent> events = {pose_event(1000, 5, 1), pose_event(2000, 5, 4), pose_event(3000, 9, 7),
-                                          pose_event(4000, 5, 5), pose_event(5000, 9, 9), pose_event(6000, 9, 10)};
-  const LogSummary summary = summarise(views(events), catalog());
+  const std::vector<logs::OwnedEvent> events = {pose_event(1000, 5, 1), pose_event(2000, 5, 4),
+                                                pose_event(3000, 9, 7), pose_event(4000, 5, 5),
+                                                pose_event(5000, 9, 9), pose_event(6000, 9, 10)};
+  const LogSummary summary = summarise(logs::views(events), catalog());
   ASSERT_EQ(summary.channels.size(), 1U);
   EXPECT_EQ(summary.channels[0].type, "TargetPose");
   EXPECT_EQ(summary.channels[0].lost, 2 + 1);
@@ -33,21 +34,21 @@ TEST(LogSummary, CountsLossesInEachSession) {
 TEST(LogSummary, ToldAnyNumbersStaysFinite) {
   constexpr auto kLeast = std::numeric_limits<std::int64_t>::min();
   constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
-  const std::vector<OwnedEvent> events = {pose_event(kLeast, 1, kLeast), pose_event(kMost, 1, kMost),
-                                          pose_event(kLeast, kMost, 0)};
-  const LogSummary summary = summarise(views(events), catalog());
+  const std::vector<logs::OwnedEvent> events = {pose_event(kLeast, 1, kLeast), pose_event(kMost, 1, kMost),
+                                                pose_event(kLeast, kMost, 0)};
+  const LogSummary summary = summarise(logs::views(events), catalog());
   EXPECT_EQ(summary.channels[0].lost, 0);
   EXPECT_EQ(summary.steps.late, 1);
   EXPECT_GT(summary.seconds(), 1e13);
 }
 
 TEST(LogSummary, NamesGapsTimesThatGoBackAndWhatCannotBeDecoded) {
-  std::vector<OwnedEvent> events = {pose_event(1'000'000, 5, 1), pose_event(1'500'000, 5, 2),
-                                    pose_event(1'400'000, 5, 3)};
+  std::vector<logs::OwnedEvent> events = {pose_event(1'000'000, 5, 1), pose_event(1'500'000, 5, 2),
+                                          pose_event(1'400'000, 5, 3)};
   events.push_back({4, 1'600'000, "TARGET_POSE", events[0].data.substr(0, 60)});
   events.push_back({5, 1'600'000, "TARGET_POSE", "short"});
   events.push_back({6, 1'600'000, "THEIRS", std::string(16, 'x')});
-  const LogSummary summary = summarise(views(events), catalog());
+  const LogSummary summary = summarise(logs::views(events), catalog());
   EXPECT_EQ(summary.steps.late, 1);
   const ChannelSummary& poses = summary.channels[0];
   EXPECT_DOUBLE_EQ(poses.longest_gap, 0.5);
@@ -61,19 +62,19 @@ TEST(LogSummary, NamesGapsTimesThatGoBackAndWhatCannotBeDecoded) {
 }
 
 TEST(LogSummary, CountsWhatABusWouldLose) {
-  const std::vector<OwnedEvent> events = {{0, 0, "BIG", std::string(8'000'001, 'x')},
-                                          {1, 1, "BIG", std::string(9, 'x')}};
-  const LogSummary summary = summarise(views(events), catalog());
+  const std::vector<logs::OwnedEvent> events = {{0, 0, "BIG", std::string(8'000'001, 'x')},
+                                                {1, 1, "BIG", std::string(9, 'x')}};
+  const LogSummary summary = summarise(logs::views(events), catalog());
   EXPECT_EQ(summary.channels[0].too_large, 1);
   EXPECT_EQ(summary.channels[0].largest, 8'000'001);
 }
 
 TEST(EventChoice, TakesATimeSpanAndChannelsByTheirWholeName) {
-  const std::vector<OwnedEvent> events = {
+  const std::vector<logs::OwnedEvent> events = {
       {0, 1'000'000, "A", "0"}, {1, 1'500'000, "AB", "1"}, {2, 2'000'000, "r/A", "2"}, {3, 2'500'000, "A", "3"}};
   const auto numbers = [&events](const EventChoice& choice) {
     std::string text;
-    for (const Event& event : chosen(views(events), choice)) text += std::to_string(event.number);
+    for (const logs::Event& event : chosen(logs::views(events), choice)) text += std::to_string(event.number);
     return text;
   };
   EXPECT_EQ(numbers({}), "0123");

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "tests/unit/command.hpp"
-#include "tests/unit/log-tool/log_bytes.hpp"
 #include "tests/unit/log_events.hpp"
+#include "tests/unit/logs/log_bytes.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -37,8 +37,8 @@ class LogTool : public ::testing::Test {
 
   std::string folder_ = fs::temp_directory_path() / ("log_tool_command_test." + std::to_string(getpid()));
   std::mt19937 random_{3};
-  std::vector<OwnedEvent> events_ = mixed_events(30, random_);
-  std::string bytes_ = log_bytes(events_);
+  std::vector<logs::OwnedEvent> events_ = logs::mixed_events(30, random_);
+  std::string bytes_ = logs::log_bytes(events_);
 };
 
 TEST_F(LogTool, SaysInOneLineWhatIsNoLog) {
@@ -87,10 +87,11 @@ TEST_F(LogTool, ShowsTypesThatItDoesNotKnowByFingerprintAndSize) {
 
 TEST_F(LogTool, ExplainsTheWordsOfItsTableWhereTheyStand) {
   const auto pose = [](std::int64_t number, std::int64_t utime, std::int64_t session, std::int64_t seq) {
-    return OwnedEvent{number, 1000 * number, "TARGET_POSE", payload(target_pose(utime, session, seq))};
+    return logs::OwnedEvent{number, 1000 * number, "TARGET_POSE",
+                            logs::payload(logs::target_pose(utime, session, seq))};
   };
-  const auto explains = [&](const std::vector<OwnedEvent>& events, const std::string& word) {
-    write("log", log_bytes(events));
+  const auto explains = [&](const std::vector<logs::OwnedEvent>& events, const std::string& word) {
+    write("log", logs::log_bytes(events));
     return run("info " + path("log")).output.find("\n\n" + word + ": ") != std::string::npos;
   };
   for (const char* word : {"lost", "sessions", "back in time"}) {
@@ -102,7 +103,7 @@ TEST_F(LogTool, ExplainsTheWordsOfItsTableWhereTheyStand) {
 }
 
 TEST_F(LogTool, RepairsALogSoThatLiblcmReadsItToItsEnd) {
-  bytes_[log_bytes({events_[0], events_[1]}).size() + 2] ^= 1;
+  bytes_[logs::log_bytes({events_[0], events_[1]}).size() + 2] ^= 1;
   write("damaged", bytes_);
   EXPECT_LT(test::events_of(path("damaged")).size(), 3U) << "liblcm stops";
   const CommandResult verdict = run("verify " + path("damaged"));
@@ -160,7 +161,7 @@ TEST_F(LogTool, SpeaksInTheNameThatWasTyped) {
 TEST_F(LogTool, ShowsWhatIsLeftOfALogWithADamagedNameAndFingerprint) {
   events_[1].channel = "OTH\xff\x1b]0;";
   events_[0].data[3] = '\x55';
-  write("log", log_bytes(events_));
+  write("log", logs::log_bytes(events_));
   const auto json = nlohmann::json::parse(run("info --json " + path("log")).output);
   ASSERT_EQ(json["channels"].size(), 4U);
   for (const auto& channel : json["channels"]) {
@@ -183,7 +184,7 @@ TEST_F(LogTool, TakesOnlyTheLoggersOwnFilesForPartsOfARecording) {
 TEST_F(LogTool, GivesChannelsThatWouldShareAFileTheirOwn) {
   events_[0].channel = "a/b";
   events_[3].channel = "a_b";
-  write("log", log_bytes(events_));
+  write("log", logs::log_bytes(events_));
   EXPECT_EQ(run("export " + path("log") + " " + path("tables")).exit_code, 0);
   EXPECT_TRUE(fs::exists(path("tables/a_b.csv")));
   EXPECT_TRUE(fs::exists(path("tables/a_b.2.csv")));
@@ -201,8 +202,8 @@ TEST_F(LogTool, WritesATablePerChannel) {
 }
 
 // Two channels in turn every 0.1 s, as another system writes them.
-std::vector<OwnedEvent> two_channels(int count) {
-  std::vector<OwnedEvent> events;
+std::vector<logs::OwnedEvent> two_channels(int count) {
+  std::vector<logs::OwnedEvent> events;
   for (int i = 0; i < count; ++i) {
     events.push_back(
         {i, 1'700'000'000'000'000 + std::int64_t{100'000} * i, i % 2 == 0 ? "A" : "B", "message " + std::to_string(i)});
@@ -213,8 +214,8 @@ std::vector<OwnedEvent> two_channels(int count) {
 // How the log's order is told, and what sorting makes of it.
 class Order : public LogTool {
  protected:
-  nlohmann::json info_of(const std::vector<OwnedEvent>& events) const {
-    write("log", log_bytes(events));
+  nlohmann::json info_of(const std::vector<logs::OwnedEvent>& events) const {
+    write("log", logs::log_bytes(events));
     return nlohmann::json::parse(run("info --json " + path("log")).output);
   }
   // The sorted log's payloads, one behind the other.
@@ -226,9 +227,9 @@ class Order : public LogTool {
     for (const auto& [channel, payload] : test::events_of(path("sorted"))) payloads += payload + ",";
     return payloads;
   }
-  static std::string payloads_of(const std::vector<OwnedEvent>& events) {
+  static std::string payloads_of(const std::vector<logs::OwnedEvent>& events) {
     std::string payloads;
-    for (const OwnedEvent& event : events) payloads += event.data + ",";
+    for (const logs::OwnedEvent& event : events) payloads += event.data + ",";
     return payloads;
   }
 };
@@ -264,7 +265,7 @@ TEST_F(Order, OfEveryChannelBehindTheOtherIsToldAndMended) {
   const auto events = two_channels(40);
   auto by_channel = events;
   std::stable_sort(by_channel.begin(), by_channel.end(),
-                   [](const OwnedEvent& a, const OwnedEvent& b) { return a.channel < b.channel; });
+                   [](const logs::OwnedEvent& a, const logs::OwnedEvent& b) { return a.channel < b.channel; });
   const auto json = info_of(by_channel);
   EXPECT_EQ(json["steps_back"], 1);
   EXPECT_NEAR(json["farthest_back_s"], 3.7, 1e-9);
@@ -285,15 +286,15 @@ TEST_F(Order, OfAClockThatWasSetBackIsToldAndKeptUnlessSorted) {
 
 TEST_F(Order, OfTwoLogsIsTheirTimeWhenTheyAreMerged) {
   const auto events = two_channels(40);
-  std::vector<OwnedEvent> a;
-  std::vector<OwnedEvent> b;
-  for (const OwnedEvent& event : events) (event.channel == "A" ? a : b).push_back(event);
-  write("a", log_bytes(a));
-  write("b", log_bytes(b));
+  std::vector<logs::OwnedEvent> a;
+  std::vector<logs::OwnedEvent> b;
+  for (const logs::OwnedEvent& event : events) (event.channel == "A" ? a : b).push_back(event);
+  write("a", logs::log_bytes(a));
+  write("b", logs::log_bytes(b));
   const CommandResult result = run("merge " + path("b") + " " + path("a") + " " + path("both"));
   EXPECT_EQ(result.exit_code, 0) << result.output;
   EXPECT_EQ(result.output, path("both") + ": 40 events by time; 0 were out of order\n");
-  EXPECT_EQ(read("both"), log_bytes(events));
+  EXPECT_EQ(read("both"), logs::log_bytes(events));
   EXPECT_EQ(run("merge " + path("b") + " " + path("a") + " " + path("both")).exit_code, 2) << "nothing is overwritten";
   EXPECT_NE(run("merge " + path("b") + " " + path("none")).output.find("allowed are two logs or more"),
             std::string::npos);
@@ -331,7 +332,8 @@ class OthersLog : public LogTool {
     put(0x3fe0000000000000, 8);
     put(0x4000000000000000, 8);
     put(16, 4);
-    write("log", log_bytes({{0, 5, "DRIVE", data}, {1, 6, "TARGET_POSE", payload(target_pose(1, 7, 1))}}));
+    write("log",
+          logs::log_bytes({{0, 5, "DRIVE", data}, {1, 6, "TARGET_POSE", logs::payload(logs::target_pose(1, 7, 1))}}));
   }
 };
 

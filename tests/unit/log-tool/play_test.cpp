@@ -9,7 +9,7 @@
 
 #include "services/log-tool/play_choice.hpp"
 #include "services/log-tool/play_schedule.hpp"
-#include "tests/unit/log-tool/log_bytes.hpp"
+#include "tests/unit/logs/log_bytes.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -108,16 +108,16 @@ StopRequest release() {
   return request;
 }
 
-std::vector<OwnedEvent> disguised() {
-  return {{0, 1, "TARGET_POSE", payload(target_pose(1, 7, 1))},
-          {1, 2, "TARGET_POSE", payload(release())},
-          {2, 3, "MINE", payload(release())},
-          {3, 4, "STOP", payload(release())}};
+std::vector<logs::OwnedEvent> disguised() {
+  return {{0, 1, "TARGET_POSE", logs::payload(logs::target_pose(1, 7, 1))},
+          {1, 2, "TARGET_POSE", logs::payload(release())},
+          {2, 3, "MINE", logs::payload(release())},
+          {3, 4, "STOP", logs::payload(release())}};
 }
 
 TEST(PlayPlan, HasNoMessageOfAMovingTypeWhateverItsChannelIsCalled) {
   const auto events = disguised();
-  const PlayPlan plan = plan_of(views(events), named("MINE|STOP|TARGET_POSE"), reflection::TypeCatalog::ours());
+  const PlayPlan plan = plan_of(logs::views(events), named("MINE|STOP|TARGET_POSE"), reflection::TypeCatalog::ours());
   ASSERT_EQ(plan.events.size(), 1U);
   EXPECT_EQ(plan.events[0].number, 0);
   EXPECT_EQ(plan.moving_messages, (std::map<std::string, std::int64_t>{{"MINE", 1}, {"TARGET_POSE", 1}}));
@@ -126,21 +126,21 @@ TEST(PlayPlan, HasNoMessageOfAMovingTypeWhateverItsChannelIsCalled) {
 
 TEST(PlayPlan, HasAllWhenAllIsAskedFor) {
   const auto events = disguised();
-  EXPECT_EQ(plan_of(views(events), all_of(".*"), reflection::TypeCatalog::ours()).events.size(), 4U);
+  EXPECT_EQ(plan_of(logs::views(events), all_of(".*"), reflection::TypeCatalog::ours()).events.size(), 4U);
 }
 
 // What another system would say, and on a channel that we have too.
-std::vector<OwnedEvent> others() {
+std::vector<logs::OwnedEvent> others() {
   return {{0, 1, "MOTOR_COMMAND", std::string(20, 'x')},
           {1, 2, "TARGET_POSE", std::string(20, 'x')},
           {2, 3, "TARGET_POSE", "short"},
-          {3, 4, "TARGET_POSE", payload(target_pose(1, 7, 1))}};
+          {3, 4, "TARGET_POSE", logs::payload(logs::target_pose(1, 7, 1))}};
 }
 
 TEST(PlayPlan, HasNoMessageOfAnotherSystemThatIsNotNamed) {
   const auto events = others();
   for (const PlayWishes& wishes : {PlayWishes(), all(), named(".*")}) {
-    const PlayPlan plan = plan_of(views(events), wishes, reflection::TypeCatalog::ours());
+    const PlayPlan plan = plan_of(logs::views(events), wishes, reflection::TypeCatalog::ours());
     ASSERT_EQ(plan.events.size(), 1U);
     EXPECT_EQ(plan.events[0].number, 3);
     EXPECT_EQ(plan.others_messages, (std::map<std::string, std::int64_t>{{"TARGET_POSE", 2}}));
@@ -151,43 +151,44 @@ TEST(PlayPlan, HasNoMessageOfAnotherSystemThatIsNotNamed) {
               "--channel NAME plays it)");
     EXPECT_EQ(lines[1], "left out: 2 messages on TARGET_POSE of a type that is not ours (--channel NAME plays them)");
   }
-  EXPECT_EQ(plan_of(views(events), named("TARGET_POSE|MOTOR.*"), reflection::TypeCatalog::ours()).events.size(), 4U);
+  EXPECT_EQ(plan_of(logs::views(events), named("TARGET_POSE|MOTOR.*"), reflection::TypeCatalog::ours()).events.size(),
+            4U);
 }
 
 TEST(PlayPlan, SaysWhichOfAnotherSystemsChannelsItPlays) {
   const auto events = others();
   const auto& types = reflection::TypeCatalog::ours();
-  EXPECT_EQ(others_played_text(plan_of(views(events), named("TARGET_POSE|MOTOR.*"), types)),
+  EXPECT_EQ(others_played_text(plan_of(logs::views(events), named("TARGET_POSE|MOTOR.*"), types)),
             "also plays MOTOR_COMMAND (not in the table of channels: another system's, which may move a robot)");
-  EXPECT_EQ(others_played_text(plan_of(views(events), named("TARGET_POSE"), types)), "");
+  EXPECT_EQ(others_played_text(plan_of(logs::views(events), named("TARGET_POSE"), types)), "");
 }
 
 TEST(PlayPlan, HasNoMessageThatTheBusWouldLose) {
-  const std::vector<OwnedEvent> events = {{0, 1, "MAP", std::string(8'000'000, 'x')},
-                                          {1, 2, "MAP", std::string(8'300'000, 'x')}};
+  const std::vector<logs::OwnedEvent> events = {{0, 1, "MAP", std::string(8'000'000, 'x')},
+                                                {1, 2, "MAP", std::string(8'300'000, 'x')}};
   PlayWishes wishes = named("MAP");
-  const PlayPlan plan = plan_of(views(events), wishes, reflection::TypeCatalog::ours());
+  const PlayPlan plan = plan_of(logs::views(events), wishes, reflection::TypeCatalog::ours());
   ASSERT_EQ(plan.events.size(), 1U);
   EXPECT_EQ(plan.events[0].number, 0);
   EXPECT_EQ(
       left_out_text(plan),
       (std::vector<std::string>{"left out: 1 message on MAP of up to 8.3 MB: above 8 MB a bus by UDP loses them"}));
   wishes.by_udp = false;
-  EXPECT_EQ(plan_of(views(events), wishes, reflection::TypeCatalog::ours()).events.size(), 2U);
+  EXPECT_EQ(plan_of(logs::views(events), wishes, reflection::TypeCatalog::ours()).events.size(), 2U);
 }
 
 TEST(PlayPlan, IsGivenUpAsSoonAsItIsTold) {
   const auto events = disguised();
   int asked = 0;
   const PlayPlan plan =
-      plan_of(views(events), all_of(".*"), reflection::TypeCatalog::ours(), [&asked] { return ++asked < 3; });
+      plan_of(logs::views(events), all_of(".*"), reflection::TypeCatalog::ours(), [&asked] { return ++asked < 3; });
   EXPECT_EQ(plan.events.size(), 2U);
 }
 
 TEST(PlayPlan, SaysWhatIsLeftOutAndWhatPlaysIt) {
   auto events = disguised();
   events.push_back({4, 5, "A\x1b]0;", "?"});
-  const auto lines = left_out_text(plan_of(views(events), {}, reflection::TypeCatalog::ours()));
+  const auto lines = left_out_text(plan_of(logs::views(events), {}, reflection::TypeCatalog::ours()));
   EXPECT_EQ(lines, (std::vector<std::string>{
                        "left out: STOP (moves a robot; --all plays it)",
                        "left out: MINE, A?]0; (not in the table of channels: another system's, which may move a robot; "

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "services/log-tool/log_merge.hpp"
-#include "tests/unit/log-tool/log_bytes.hpp"
+#include "tests/unit/logs/log_bytes.hpp"
 
 namespace markservo::log_tool {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 constexpr std::int64_t kSecond = 1'000'000;
 
 // Messages on `channel` at these times, us.
-std::vector<OwnedEvent> at(const std::vector<std::int64_t>& utimes, const std::string& channel = "A") {
-  std::vector<OwnedEvent> events;
+std::vector<logs::OwnedEvent> at(const std::vector<std::int64_t>& utimes, const std::string& channel = "A") {
+  std::vector<logs::OwnedEvent> events;
   for (const std::int64_t utime : utimes) {
     events.push_back({static_cast<std::int64_t>(events.size()), utime, channel, channel + std::to_string(utime)});
   }
@@ -23,12 +23,12 @@ std::vector<OwnedEvent> at(const std::vector<std::int64_t>& utimes, const std::s
 
 TimeSteps steps_of(const std::vector<std::int64_t>& utimes) {
   const auto events = at(utimes);
-  return time_steps(views(events));
+  return time_steps(logs::views(events));
 }
 
-std::vector<std::int64_t> utimes_of(const std::vector<Event>& events) {
+std::vector<std::int64_t> utimes_of(const std::vector<logs::Event>& events) {
   std::vector<std::int64_t> utimes;
-  for (const Event& event : events) utimes.push_back(event.utime);
+  for (const logs::Event& event : events) utimes.push_back(event.utime);
   return utimes;
 }
 
@@ -86,10 +86,10 @@ TEST(TimeSteps, TellSilencesTheLongestFirstAndNoJumpOfDays) {
 }
 
 TEST(SortedByTime, KeepsTheOrderOfWhatHasOneTimeAndNumbersAnew) {
-  std::vector<OwnedEvent> events = at({3, 1, 1, 2});
+  std::vector<logs::OwnedEvent> events = at({3, 1, 1, 2});
   events[1].data = "first";
   events[2].data = "second";
-  const auto sorted = sorted_by_time(views(events));
+  const auto sorted = sorted_by_time(logs::views(events));
   EXPECT_EQ(utimes_of(sorted), (std::vector<std::int64_t>{1, 1, 2, 3}));
   EXPECT_EQ(sorted[0].data.text(), "first");
   EXPECT_EQ(sorted[1].data.text(), "second");
@@ -99,7 +99,7 @@ TEST(SortedByTime, KeepsTheOrderOfWhatHasOneTimeAndNumbersAnew) {
 TEST(Merge, PutsLogsTogetherByTime) {
   const auto one = at({0, 20, 10}, "A");
   const auto other = at({5, 15, 20}, "B");
-  const Merge merge = merged({{"one", views(one)}, {"other", views(other)}});
+  const Merge merge = merged({{"one", logs::views(one)}, {"other", logs::views(other)}});
   EXPECT_EQ(utimes_of(merge.events), (std::vector<std::int64_t>{0, 5, 10, 15, 20, 20}));
   EXPECT_EQ(merge.events[4].channel, "A") << "of one time in the inputs' order";
   EXPECT_EQ(merge.late, 1);
@@ -110,8 +110,8 @@ TEST(Merge, SaysThatLogsLieApart) {
   const auto one = at({0, kSecond});
   const auto other = at({11 * kSecond, 12 * kSecond});
   for (const bool turned : {false, true}) {
-    const Merge merge =
-        turned ? merged({{"b", views(other)}, {"a", views(one)}}) : merged({{"a", views(one)}, {"b", views(other)}});
+    const Merge merge = turned ? merged({{"b", logs::views(other)}, {"a", logs::views(one)}})
+                               : merged({{"a", logs::views(one)}, {"b", logs::views(other)}});
     ASSERT_EQ(merge.remarks.size(), 1U);
     EXPECT_EQ(merge.remarks[0], std::string(turned ? "b and a" : "a and b") +
                                     " do not overlap: 10.0 s lie between them (if they were recorded together, their "
@@ -124,7 +124,7 @@ TEST(Merge, KeepsWhatTwoLoggersHeardAndSaysSo) {
   auto other = at({1, 11, 21, 31});
   for (std::size_t i = 1; i < 3; ++i) other[i].data = one[i].data;
   one[3].data = one[2].data;  // twice in one of them, once in the other
-  const Merge merge = merged({{"one", views(one)}, {"other", views(other)}});
+  const Merge merge = merged({{"one", logs::views(one)}, {"other", logs::views(other)}});
   EXPECT_EQ(merge.events.size(), 8U);
   EXPECT_EQ(merge.twice, 2);
   ASSERT_EQ(merge.remarks.size(), 1U);
@@ -133,7 +133,7 @@ TEST(Merge, KeepsWhatTwoLoggersHeardAndSaysSo) {
 
 // liblcm's question whether there is a bus stands in every recording.
 TEST(Merge, TakesFewMessagesOfOneContentForChance) {
-  const auto with = [](std::vector<OwnedEvent> events, const std::string& channel, const std::string& data) {
+  const auto with = [](std::vector<logs::OwnedEvent> events, const std::string& channel, const std::string& data) {
     events.push_back({0, 50, channel, data});
     return events;
   };
@@ -141,8 +141,8 @@ TEST(Merge, TakesFewMessagesOfOneContentForChance) {
   for (std::int64_t i = 0; i < 30; ++i) utimes.push_back(i);
   const auto one = at(utimes, "A");
   const auto other = at(utimes, "B");
-  const auto merge_of = [](const std::vector<OwnedEvent>& a, const std::vector<OwnedEvent>& b) {
-    return merged({{"a", views(a)}, {"b", views(b)}});
+  const auto merge_of = [](const std::vector<logs::OwnedEvent>& a, const std::vector<logs::OwnedEvent>& b) {
+    return merged({{"a", logs::views(a)}, {"b", logs::views(b)}});
   };
   EXPECT_EQ(merge_of(with(one, "LCM_SELF_TEST", "lcm self test"), with(other, "LCM_SELF_TEST", "lcm self test")).twice,
             0);

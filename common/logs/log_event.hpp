@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace markservo::log_tool {
+namespace markservo::logs {
 
 // Bytes that somebody else holds.
 struct ByteView {
@@ -34,4 +34,4 @@ struct Damage {
   std::size_t bytes = 0;
 };
 
-}  // namespace markservo::log_tool
+}  // namespace markservo::logs

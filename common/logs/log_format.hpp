@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "services/log-tool/log_event.hpp"
+#include "common/logs/log_event.hpp"
 
-namespace markservo::log_tool {
+namespace markservo::logs {
 
 inline constexpr std::uint32_t kSyncWord = 0xEDA1DA01;
 inline constexpr std::size_t kSyncSize = 4;
@@ -42,4 +42,4 @@ Event event_at(ByteView log, std::size_t offset, const Header& header, std::size
 // The event as a log holds it.
 std::string encoded(const Event& event);
 
-}  // namespace markservo::log_tool
+}  // namespace markservo::logs

@@ -1,4 +1,4 @@
-#include "services/log-tool/log_files.hpp"
+#include "common/logs/log_files.hpp"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -11,10 +11,10 @@
 #include <cstring>
 #include <filesystem>
 
+#include "common/logs/log_format.hpp"
 #include "common/reflection/message_value.hpp"
-#include "services/log-tool/log_format.hpp"
 
-namespace markservo::log_tool {
+namespace markservo::logs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -133,4 +133,4 @@ void write_log(const std::string& path, const std::vector<Event>& events) {
   complain(path, std::string("cannot be written: ") + std::strerror(error), "a disk with room for the log");
 }
 
-}  // namespace markservo::log_tool
+}  // namespace markservo::logs

@@ -1,4 +1,4 @@
-#include "services/log-tool/log_scan.hpp"
+#include "common/logs/log_scan.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,10 +9,10 @@
 #include <fstream>
 #include <lcm/lcm-cpp.hpp>
 
-#include "services/log-tool/log_files.hpp"
-#include "tests/unit/log-tool/log_bytes.hpp"
+#include "common/logs/log_files.hpp"
+#include "tests/unit/logs/log_bytes.hpp"
 
-namespace markservo::log_tool {
+namespace markservo::logs {
 namespace {
 
 OwnedEvent owned(const Event& event) {
@@ -168,4 +168,4 @@ TEST_F(LogScan, EndsOnAnyBytes) {
 }
 
 }  // namespace
-}  // namespace markservo::log_tool
+}  // namespace markservo::logs

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace markservo::log_tool {
+namespace markservo::logs {
 
 inline constexpr std::size_t kLongestLcmChannel = 63;  // bytes; longer names LCM does not send
 
@@ -11,4 +11,4 @@ inline constexpr std::size_t kLongestLcmChannel = 63;  // bytes; longer names LC
 // MB never, and what was sent with them suffered too (measured with LCM 1.3.1 on Debian 12).
 inline constexpr std::size_t kLargestByUdp = 8'000'000;
 
-}  // namespace markservo::log_tool
+}  // namespace markservo::logs

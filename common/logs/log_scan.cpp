@@ -1,12 +1,12 @@
-#include "services/log-tool/log_scan.hpp"
+#include "common/logs/log_scan.hpp"
 
 #include <algorithm>
 #include <optional>
 
-#include "services/log-tool/bus_limits.hpp"
-#include "services/log-tool/log_format.hpp"
+#include "common/logs/bus_limits.hpp"
+#include "common/logs/log_format.hpp"
 
-namespace markservo::log_tool {
+namespace markservo::logs {
 namespace {
 
 bool readable(std::string_view channel) {
@@ -127,4 +127,4 @@ Scan scan(ByteView log, const FitCheck& fit) {
   return Scanner(log, fit).run();
 }
 
-}  // namespace markservo::log_tool
+}  // namespace markservo::logs

@@ -3,9 +3,9 @@
 #include <functional>
 #include <vector>
 
-#include "services/log-tool/log_event.hpp"
+#include "common/logs/log_event.hpp"
 
-namespace markservo::log_tool {
+namespace markservo::logs {
 
 // Whether a message's bytes can be one of its type.
 enum class Fit { kFits, kDoesNot, kUnknownType };
@@ -21,4 +21,4 @@ struct Scan {
 // structure alone does not. Bytes that are no log at all come back as one damage.
 Scan scan(ByteView log, const FitCheck& fit);
 
-}  // namespace markservo::log_tool
+}  // namespace markservo::logs

@@ -1,9 +1,9 @@
-#include "services/log-tool/log_format.hpp"
+#include "common/logs/log_format.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace markservo::log_tool {
+namespace markservo::logs {
 namespace {
 
 std::uint64_t big_endian(const std::uint8_t* bytes, int size) {
@@ -64,4 +64,4 @@ std::string encoded(const Event& event) {
   return bytes;
 }
 
-}  // namespace markservo::log_tool
+}  // namespace markservo::logs

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "common/logs/log_scan.hpp"
 #include "common/reflection/type_catalog.hpp"
-#include "services/log-tool/log_scan.hpp"
 
-namespace markservo::log_tool {
+namespace markservo::logs {
 
 // A file that cannot be read as a log or written as one. One line: file, what, what is allowed. Exit code 2.
 class LogFileError : public std::runtime_error {
@@ -58,4 +58,4 @@ FitCheck fit_of(const reflection::TypeCatalog& types);
 // Writes the events as a log that did not exist before. Throws LogFileError, and then leaves none behind.
 void write_log(const std::string& path, const std::vector<Event>& events);
 
-}  // namespace markservo::log_tool
+}  // namespace markservo::logs

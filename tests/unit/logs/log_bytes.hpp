@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "services/log-tool/log_format.hpp"
+#include "common/logs/log_format.hpp"
 #include "tests/unit/encoded.hpp"
 
-namespace markservo::log_tool {
+namespace markservo::logs {
 
 struct OwnedEvent {
   std::int64_t number = 0;
@@ -82,4 +82,4 @@ inline std::vector<OwnedEvent> mixed_events(int count, std::mt19937& random) {
   return events;
 }
 
-}  // namespace markservo::log_tool
+}  // namespace markservo::logs
