@@ -15,10 +15,10 @@
 #include "common/reflection/type_files.hpp"
 #include "common/reflection/value_text.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "common/watch/watch_json.hpp"
 #include "services/bus-top/channel_table.hpp"
 #include "services/bus-top/field_lines.hpp"
 #include "services/bus-top/screen.hpp"
-#include "services/bus-top/watch_json.hpp"
 
 namespace markservo::bus_top {
 namespace {
@@ -30,7 +30,7 @@ void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-std::vector<std::string> names_of(const BusWatch& watch) {
+std::vector<std::string> names_of(const watch::BusWatch& watch) {
   std::vector<std::string> names;
   for (const auto& entry : watch.channels()) names.push_back(entry.first);
   return names;
@@ -104,7 +104,7 @@ void BusTopNode::listen(double deadline) {
 int BusTopNode::print_table() {
   listen(options_.seconds);
   if (options_.json) {
-    print(reflection::json_text(watch_json(watch_, options_.seconds, now())));
+    print(reflection::json_text(watch::watch_json(watch_, options_.seconds, now())));
   } else if (!watch_.channels().empty()) {
     const ChannelTable table = channel_table(watch_, now());
     print(table.heading + "\n");
@@ -127,14 +127,14 @@ int BusTopNode::print_channel() {
   if (names.size() > 1) {
     throw ConfigurationError("--channel " + options_.channel + " takes " + listed(names) + "; allowed: one channel");
   }
-  const BusWatch::Channel& channel = *watch_.find(names.front());
+  const watch::BusWatch::Channel& channel = *watch_.find(names.front());
   const auto message = reflection::decode(types_, channel.newest.data(), channel.newest.size());
   if (!message.error.empty()) {
     fmt::print(stderr, "bus-top: {}: {}\n", reflection::printable(names.front()), message.error);
     return 1;
   }
   if (options_.json) {
-    print(reflection::json_text(message_json(names.front(), message.fields)));
+    print(reflection::json_text(watch::message_json(names.front(), message.fields)));
   } else {
     for (const std::string& line : field_lines(message.fields)) print(line + "\n");
   }

@@ -9,7 +9,7 @@
 #include "common/bus/listener.hpp"
 #include "common/channel_pattern/channel_pattern.hpp"
 #include "common/reflection/type_catalog.hpp"
-#include "services/bus-top/bus_watch.hpp"
+#include "common/watch/bus_watch.hpp"
 #include "services/bus-top/navigation.hpp"
 
 namespace CLI {
@@ -61,7 +61,7 @@ class BusTopNode {
   reflection::TypeCatalog types_;
   std::optional<ChannelPattern> pattern_;  // of --channel
   std::chrono::steady_clock::time_point start_;
-  BusWatch watch_;
+  watch::BusWatch watch_;
   bus::Listener listener_;
 };
 

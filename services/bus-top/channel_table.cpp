@@ -19,7 +19,7 @@ struct Row {
 
 constexpr const char* kFigures = "{:>7} {:>9} {:>8} {:>6} {:>11} {:>7} {}";
 
-std::string type_text(const ChannelFigures& figures) {
+std::string type_text(const watch::ChannelFigures& figures) {
   if (!figures.type.empty()) return figures.type;
   if (!figures.fingerprint) return fmt::format("? ({})", size_text(static_cast<double>(figures.newest_bytes)));
   return fmt::format("{} ({})", reflection::fingerprint_text(*figures.fingerprint),
@@ -30,7 +30,7 @@ std::string count_or_dash(std::int64_t count, bool known) {
   return known ? std::to_string(count) : "-";
 }
 
-std::string figures_text(const ChannelFigures& figures) {
+std::string figures_text(const watch::ChannelFigures& figures) {
   return fmt::format(kFigures, figures.hz ? fmt::format("{:.1f}", *figures.hz) : "-",
                      figures.bytes_per_second ? size_text(*figures.bytes_per_second) + "/s" : "-",
                      fmt::format("{:.1f} s", figures.age),
@@ -51,12 +51,12 @@ std::string size_text(double bytes) {
   return fmt::format("{:.{}f} {}", bytes, bytes < 9.995 ? 2 : (bytes < 99.95 ? 1 : 0), kUnits[unit]);
 }
 
-ChannelTable channel_table(const BusWatch& watch, double now) {
+ChannelTable channel_table(const watch::BusWatch& watch, double now) {
   ChannelTable table;
   std::vector<Row> rows{
       {"channel", "type", fmt::format(kFigures, "Hz", "bandwidth", "age", "lost", "undecodable", "writers", "")}};
   for (const auto& [channel, entry] : watch.channels()) {
-    const ChannelFigures figures = entry.watch.figures(now);
+    const watch::ChannelFigures figures = entry.watch.figures(now);
     table.lines.push_back({channel, {}, figures.stale, figures.undecodable > 0 || figures.lost.value_or(0) > 0});
     rows.push_back({reflection::printable(channel), type_text(figures), figures_text(figures)});
   }

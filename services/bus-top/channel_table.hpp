@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "services/bus-top/bus_watch.hpp"
+#include "common/watch/bus_watch.hpp"
 
 namespace markservo::bus_top {
 
@@ -23,7 +23,7 @@ struct ChannelTable {
 
 // One line a channel, by name, the columns as wide as they need. Types that are not known are shown by fingerprint
 // and size.
-ChannelTable channel_table(const BusWatch& watch, double now);
+ChannelTable channel_table(const watch::BusWatch& watch, double now);
 
 // "1.84 MB", "614 kB", "96 B": three digits, powers of 1000.
 std::string size_text(double bytes);

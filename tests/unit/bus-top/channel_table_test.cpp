@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/reflection/value_text.hpp"
-#include "services/bus-top/watch_json.hpp"
+#include "common/watch/watch_json.hpp"
 
 namespace markservo::bus_top {
 namespace {
@@ -23,7 +23,7 @@ MessageNote pose(std::int64_t seq) {
 }
 
 TEST(ChannelTable, HasALineForEachChannelByName) {
-  BusWatch watch;
+  watch::BusWatch watch;
   watch.observe("TARGET_POSE", pose(1), "abc", 0.0);
   watch.observe("TARGET_POSE", pose(3), "abc", 0.25);
   watch.observe("TARGET_POSE", pose(4), "abc", 0.5);
@@ -39,7 +39,7 @@ TEST(ChannelTable, HasALineForEachChannelByName) {
 }
 
 TEST(ChannelTable, SaysThatAChannelIsStale) {
-  BusWatch watch;
+  watch::BusWatch watch;
   watch.observe("A", pose(1), "abc", 0.0);
   EXPECT_FALSE(channel_table(watch, 0.5).lines[0].stale);
   EXPECT_TRUE(channel_table(watch, 5.0).lines[0].stale);
@@ -48,7 +48,7 @@ TEST(ChannelTable, SaysThatAChannelIsStale) {
 }
 
 TEST(ChannelTable, ShowsAForeignTypeByFingerprintAndSize) {
-  BusWatch watch;
+  watch::BusWatch watch;
   MessageNote note;
   note.bytes = 2;
   note.fingerprint = 0xab;
@@ -57,7 +57,7 @@ TEST(ChannelTable, ShowsAForeignTypeByFingerprintAndSize) {
 }
 
 TEST(ChannelTable, LetsNoChannelSpeakToTheTerminal) {
-  BusWatch watch;
+  watch::BusWatch watch;
   watch.observe("A\033[2J\n\xff", pose(1), "abc", 0.0);
   const std::string text = channel_table(watch, 0.0).lines[0].text;
   EXPECT_EQ(text.find_first_of("\033\n\xff"), std::string::npos);
@@ -74,20 +74,20 @@ TEST(SizeText, HasThreeDigits) {
 }
 
 TEST(WatchJson, HasNullForWhatIsNotKnown) {
-  BusWatch watch;
+  watch::BusWatch watch;
   MessageNote note;
   note.bytes = 2;
   watch.observe("A", note, "xy", 0.0);
-  const auto json = watch_json(watch, 2.0, 0.5)["channels"][0];
+  const auto json = watch::watch_json(watch, 2.0, 0.5)["channels"][0];
   EXPECT_EQ(json["channel"], "A");
   for (const char* key : {"type", "hash", "hz", "bytes_per_second", "lost"}) EXPECT_TRUE(json[key].is_null()) << key;
   EXPECT_EQ(json["age_s"], 0.5);
 }
 
 TEST(WatchJson, IsTextWhateverAChannelIsCalled) {
-  BusWatch watch;
+  watch::BusWatch watch;
   watch.observe("A\xff", pose(1), "abc", 0.0);
-  EXPECT_NO_THROW(reflection::json_text(watch_json(watch, 2.0, 0.5)));
+  EXPECT_NO_THROW(reflection::json_text(watch::watch_json(watch, 2.0, 0.5)));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-#include "services/bus-top/channel_watch.hpp"
+#include "common/watch/channel_watch.hpp"
 
 #include <algorithm>
 
-namespace markservo::bus_top {
+namespace markservo::watch {
 namespace {
 
 constexpr std::size_t kMaxArrivals = 4096;  // in the window; a flood's rate is told by its last ones
@@ -66,4 +66,4 @@ ChannelFigures ChannelWatch::figures(double now) const {
   return figures;
 }
 
-}  // namespace markservo::bus_top
+}  // namespace markservo::watch

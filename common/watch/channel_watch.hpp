@@ -12,7 +12,7 @@
 #include "common/bus/gap_counter.hpp"
 #include "common/reflection/message_note.hpp"
 
-namespace markservo::bus_top {
+namespace markservo::watch {
 
 struct ChannelWatchParameters {
   double window = 5.0;            // s: rates and writers are of this last time; a 1 Hz channel has five messages in it
@@ -70,4 +70,4 @@ class ChannelWatch {
   std::int64_t sessions_ = 0;
 };
 
-}  // namespace markservo::bus_top
+}  // namespace markservo::watch

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/channel_pattern/channel_pattern.hpp"
-#include "services/bus-top/channel_watch.hpp"
+#include "common/watch/channel_watch.hpp"
 
-namespace markservo::bus_top {
+namespace markservo::watch {
 
 // All channels of a bus, each with its newest message. No clock: `now` is seconds of any clock that does not go back.
 class BusWatch {
@@ -36,4 +36,4 @@ class BusWatch {
   std::int64_t unwatched_ = 0;
 };
 
-}  // namespace markservo::bus_top
+}  // namespace markservo::watch

@@ -1,6 +1,6 @@
-#include "services/bus-top/bus_watch.hpp"
+#include "common/watch/bus_watch.hpp"
 
-namespace markservo::bus_top {
+namespace markservo::watch {
 
 void BusWatch::observe(const std::string& channel, const reflection::MessageNote& note, const void* data, double now) {
   auto entry = channels_.find(channel);
@@ -30,4 +30,4 @@ std::vector<std::string> BusWatch::matching(const std::string& text, const Chann
   return names;
 }
 
-}  // namespace markservo::bus_top
+}  // namespace markservo::watch

@@ -1,12 +1,12 @@
-#include "services/bus-top/channel_watch.hpp"
+#include "common/watch/channel_watch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "services/bus-top/bus_watch.hpp"
+#include "common/watch/bus_watch.hpp"
 
-namespace markservo::bus_top {
+namespace markservo::watch {
 namespace {
 
 using reflection::MessageNote;
@@ -168,4 +168,4 @@ TEST(BusWatch, OnlyCountsChannelsBeyondTheLimit) {
 }
 
 }  // namespace
-}  // namespace markservo::bus_top
+}  // namespace markservo::watch

@@ -1,8 +1,8 @@
-#include "services/bus-top/bus_watch.hpp"
+#include "common/watch/bus_watch.hpp"
 
 #include <gtest/gtest.h>
 
-namespace markservo::bus_top {
+namespace markservo::watch {
 namespace {
 
 std::vector<std::string> matching(const std::string& text) {
@@ -24,4 +24,4 @@ TEST(BusWatch, TakesANameForThatChannelAlone) {
 }
 
 }  // namespace
-}  // namespace markservo::bus_top
+}  // namespace markservo::watch

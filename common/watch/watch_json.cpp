@@ -1,11 +1,11 @@
-#include "services/bus-top/watch_json.hpp"
+#include "common/watch/watch_json.hpp"
 
 #include <optional>
 
 #include "common/reflection/type_catalog.hpp"
 #include "common/reflection/value_text.hpp"
 
-namespace markservo::bus_top {
+namespace markservo::watch {
 namespace {
 
 template <class T>
@@ -45,4 +45,4 @@ nlohmann::ordered_json message_json(const std::string& channel, const reflection
       {"channel", channel}, {"type", reflection::shown_name(*fields.type)}, {"message", reflection::json_of(fields)}};
 }
 
-}  // namespace markservo::bus_top
+}  // namespace markservo::watch
