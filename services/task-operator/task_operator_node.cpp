@@ -29,26 +29,26 @@ double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Action action_of(const std::string& text) {
-  static const std::map<std::string, Action> actions{{"start", Action::kStart},
-                                                     {"abort", Action::kAbort},
-                                                     {"home", Action::kHome},
-                                                     {"stop", Action::kStop},
-                                                     {"reset", Action::kReset}};
+task::Action action_of(const std::string& text) {
+  static const std::map<std::string, task::Action> actions{{"start", task::Action::kStart},
+                                                           {"abort", task::Action::kAbort},
+                                                           {"home", task::Action::kHome},
+                                                           {"stop", task::Action::kStop},
+                                                           {"reset", task::Action::kReset}};
   return actions.at(text);
 }
 
-motion::CommandKind kind_of(Action action) {
+motion::CommandKind kind_of(task::Action action) {
   switch (action) {
-    case Action::kStart:
+    case task::Action::kStart:
       return motion::CommandKind::kStart;
-    case Action::kHome:
+    case task::Action::kHome:
       return motion::CommandKind::kHome;
-    case Action::kAbort:
+    case task::Action::kAbort:
       return motion::CommandKind::kAbort;
-    case Action::kReset:
+    case task::Action::kReset:
       return motion::CommandKind::kReset;
-    case Action::kStop:
+    case task::Action::kStop:
       break;
   }
   return motion::CommandKind::kStop;
@@ -96,7 +96,7 @@ void TaskOperatorNode::configure(const std::string& robot_file) {
   if (robot.stop_devices.empty()) {
     throw ConfigurationError(robot_file + ": stop_devices is empty; allowed: what moves, so that it can be stopped");
   }
-  if (wish_.action == Action::kStart) {
+  if (wish_.action == task::Action::kStart) {
     const robot::MarkDescription* mark = robot.find_mark(wish_.target);
     if (mark == nullptr || mark->role != robot::MarkRole::kTarget) {
       throw ConfigurationError("--target is '" + wish_.target + "'; allowed: " + targets_of(robot) + " (" + robot_file +
@@ -128,7 +128,7 @@ void TaskOperatorNode::start(bus::Bus& bus) {
 
 void TaskOperatorNode::on_stop_state(const StopState& state) {
   sender_->observe_stop_state(state.device, state.utime);
-  StopReport report;
+  task::StopReport report;
   report.device = state.device;
   report.latched = state.latched != 0;
   report.answers_us = state.request_session == bus_->session() && state.request_id == kRequest;
@@ -141,14 +141,14 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
   if (heard == motion::StreamHeard::kSecond) dialogue_->observe_conflict(task_.words());
   messages::drop(motion::why_dropped(heard));
   sender_->observe_task_state(state.utime);
-  TaskReport report;
+  task::TaskReport report;
   report.time = 1e-6 * static_cast<double>(state.utime);
   if (state.command_session == bus_->session() && state.command_id == kRequest) {
-    report.answers = Answers::kUs;
+    report.answers = task::Answers::kUs;
   } else if (state.command_session != 0) {
-    report.answers = Answers::kAnother;
+    report.answers = task::Answers::kAnother;
   }
-  report.phase = messages::state_of<Phase>(state.state);
+  report.phase = messages::state_of<task::Phase>(state.state);
   report.attempt = state.attempt;
   report.target = state.target;
   report.reason = state.reason;
@@ -158,12 +158,12 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
 void TaskOperatorNode::send() {
   const auto utime = sender_->stamp(kind_of(wish_.action));
   if (!utime) return;  // it would be refused; who has not spoken is told when patience ends
-  if (wish_.action == Action::kStop || wish_.action == Action::kReset) {
+  if (wish_.action == task::Action::kStop || wish_.action == task::Action::kReset) {
     StopRequest request{};
     request.utime = *utime;
     request.session = bus_->session();
     request.request_id = kRequest;
-    request.kind = wish_.action == Action::kStop ? StopRequest::STOP : StopRequest::RESET;
+    request.kind = wish_.action == task::Action::kStop ? StopRequest::STOP : StopRequest::RESET;
     request.source = wish_.source;
     request.reason = "asked by an operator";
     stops_->publish(request);
@@ -173,9 +173,9 @@ void TaskOperatorNode::send() {
   command.utime = *utime;
   command.session = bus_->session();
   command.command_id = kRequest;
-  command.kind = wish_.action == Action::kStart  ? TaskCommand::START
-                 : wish_.action == Action::kHome ? TaskCommand::HOME
-                                                 : TaskCommand::ABORT;
+  command.kind = wish_.action == task::Action::kStart  ? TaskCommand::START
+                 : wish_.action == task::Action::kHome ? TaskCommand::HOME
+                                                       : TaskCommand::ABORT;
   command.target = wish_.target;
   command.carry = wish_.carry ? 1 : 0;
   if (!wish_.drive.empty()) {
@@ -187,16 +187,16 @@ void TaskOperatorNode::send() {
   commands_->publish(command);
 }
 
-void TaskOperatorNode::tell(const Ending& ending) const {
+void TaskOperatorNode::tell(const task::Ending& ending) const {
   std::string line = ending.line;
-  if (ending.exit_code == kExitNoAnswer) line += "; " + told_of_bus(bus_->urls().out, services_);
-  if (ending.exit_code != kExitReached) std::cerr << typed_.name_or("task-operator") << ": ";
-  (ending.exit_code == kExitReached ? std::cout : std::cerr) << text::printable(line) << std::endl;
+  if (ending.exit_code == task::kExitNoAnswer) line += "; " + told_of_bus(bus_->urls().out, services_);
+  if (ending.exit_code != task::kExitReached) std::cerr << typed_.name_or("task-operator") << ": ";
+  (ending.exit_code == task::kExitReached ? std::cout : std::cerr) << text::printable(line) << std::endl;
 }
 
 void TaskOperatorNode::run(bus::Bus& bus) {
   do {
-    const Step step = dialogue_->step(steady_seconds());
+    const task::Step step = dialogue_->step(steady_seconds());
     if (step.send) send();
     for (const std::string& line : step.lines) std::cout << text::printable(line) << std::endl;
     if (!step.ending) continue;
@@ -204,8 +204,8 @@ void TaskOperatorNode::run(bus::Bus& bus) {
     tell(*step.ending);
     return;
   } while (bus.poll(std::chrono::milliseconds(50)));
-  exit_code_ = kExitInterrupted;
-  const bool lasts = wish_.action == Action::kStart || wish_.action == Action::kHome;
+  exit_code_ = task::kExitInterrupted;
+  const bool lasts = wish_.action == task::Action::kStart || wish_.action == task::Action::kHome;
   std::cerr << typed_.name_or("task-operator") << ": ended before the answer; "
             << (lasts ? "the task goes on: abort or stop ends it" : "what was asked may have been done") << std::endl;
 }

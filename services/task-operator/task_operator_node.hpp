@@ -13,15 +13,15 @@
 #include "common/bus/service.hpp"
 #include "common/motion/command_sender.hpp"
 #include "common/motion/sole_writer.hpp"
+#include "common/task/dialogue.hpp"
 #include "common/text/typed_command.hpp"
-#include "services/task-operator/dialogue.hpp"
 
 namespace markservo::task_operator {
 
 // What was asked for, as the options say it.
 struct Wish {
   std::string action_text;
-  Action action = Action::kStop;
+  task::Action action = task::Action::kStop;
   std::string target;
   std::vector<double> drive;  // x and y (m), heading (degrees); empty: stand
   bool carry = false;
@@ -47,20 +47,20 @@ class TaskOperatorNode : public bus::Service {
   void on_stop_state(const StopState& state);
   void on_task_state(const TaskState& state);
   void send();
-  void tell(const Ending& ending) const;
+  void tell(const task::Ending& ending) const;
 
   text::TypedCommand typed_;
   Wish wish_;
-  Parameters parameters_;
+  task::Parameters parameters_;
 
-  std::optional<Dialogue> dialogue_;
+  std::optional<task::Dialogue> dialogue_;
   std::optional<motion::CommandSender> sender_;
   motion::SoleWriter task_{"TASK_STATE"};
   bus::Bus* bus_ = nullptr;
   std::set<std::string> services_;  // the others that are on the bus
   std::optional<bus::Publisher<StopRequest>> stops_;
   std::optional<bus::Publisher<TaskCommand>> commands_;
-  int exit_code_ = kExitReached;
+  int exit_code_ = task::kExitReached;
 };
 
 }  // namespace markservo::task_operator

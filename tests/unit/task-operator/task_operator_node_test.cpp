@@ -56,7 +56,7 @@ class OperatorOnABus : public ::testing::Test {
   std::string complaint(const std::string& program = "scripts/task") {
     obeys_ = false;
     ::testing::internal::CaptureStderr();
-    EXPECT_EQ(run({"stop", "--patience", "0.3"}, program), kExitNoAnswer);
+    EXPECT_EQ(run({"stop", "--patience", "0.3"}, program), task::kExitNoAnswer);
     return ::testing::internal::GetCapturedStderr();
   }
 
@@ -118,7 +118,7 @@ class OperatorOnABus : public ::testing::Test {
 
 TEST_F(OperatorOnABus, StopLatchesTheArmAndSaysWhoAsked) {
   latched_ = false;
-  EXPECT_EQ(run({"stop", "--source", "a person"}), kExitReached);
+  EXPECT_EQ(run({"stop", "--source", "a person"}), task::kExitReached);
   EXPECT_TRUE(latched_);
   ASSERT_FALSE(requests_.empty());
   EXPECT_EQ(requests_[0].kind, StopRequest::STOP);
@@ -127,7 +127,7 @@ TEST_F(OperatorOnABus, StopLatchesTheArmAndSaysWhoAsked) {
 
 TEST_F(OperatorOnABus, ALostResetIsSentAgainAsTheSameRequest) {
   deaf_to_ = 2;
-  EXPECT_EQ(run({"reset"}), kExitReached);
+  EXPECT_EQ(run({"reset"}), task::kExitReached);
   EXPECT_FALSE(latched_);
   ASSERT_GE(requests_.size(), 3U);
   EXPECT_EQ(requests_[2].kind, StopRequest::RESET);
@@ -139,7 +139,7 @@ TEST_F(OperatorOnABus, StartSendsTheTargetAndFollowsTheTaskToItsEnd) {
   latched_ = false;
   deaf_to_ = 1;
   procedure_ = {TaskState::LOOK, TaskState::SERVO, TaskState::CARRY, TaskState::DONE};
-  EXPECT_EQ(run({"start", "--target", "blue_book", "--carry"}), kExitReached);
+  EXPECT_EQ(run({"start", "--target", "blue_book", "--carry"}), task::kExitReached);
   ASSERT_GE(commands_.size(), 2U);
   EXPECT_EQ(commands_[0].kind, TaskCommand::START);
   EXPECT_EQ(commands_[0].target, "blue_book");
@@ -150,7 +150,7 @@ TEST_F(OperatorOnABus, StartSendsTheTargetAndFollowsTheTaskToItsEnd) {
 TEST_F(OperatorOnABus, StartWithADriveSendsThePoseInRadiansAndFollowsIt) {
   latched_ = false;
   procedure_ = {TaskState::DRIVE, TaskState::DRIVE, TaskState::LOOK, TaskState::HOLD_LIFTED};
-  EXPECT_EQ(run({"start", "--target", "red_book", "--drive", "-0.2,1.05,90"}), kExitReached);
+  EXPECT_EQ(run({"start", "--target", "red_book", "--drive", "-0.2,1.05,90"}), task::kExitReached);
   ASSERT_FALSE(commands_.empty());
   EXPECT_TRUE(commands_[0].drive);
   EXPECT_EQ(commands_[0].drive_pose.x, -0.2);
@@ -161,7 +161,7 @@ TEST_F(OperatorOnABus, StartWithADriveSendsThePoseInRadiansAndFollowsIt) {
 TEST_F(OperatorOnABus, StartWithoutADriveStandsWhereItIs) {
   latched_ = false;
   procedure_ = {TaskState::HOLD_LIFTED};
-  EXPECT_EQ(run({"start", "--target", "red_book"}), kExitReached);
+  EXPECT_EQ(run({"start", "--target", "red_book"}), task::kExitReached);
   ASSERT_FALSE(commands_.empty());
   EXPECT_FALSE(commands_[0].drive);
 }
@@ -169,11 +169,11 @@ TEST_F(OperatorOnABus, StartWithoutADriveStandsWhereItIs) {
 TEST_F(OperatorOnABus, AFailedTaskIsExitCodeOne) {
   latched_ = false;
   procedure_ = {TaskState::LOOK, TaskState::FAILED};
-  EXPECT_EQ(run({"start", "--target", "red_book"}), kExitRefused);
+  EXPECT_EQ(run({"start", "--target", "red_book"}), task::kExitRefused);
 }
 
 TEST_F(OperatorOnABus, StartReleasesNoStop) {
-  EXPECT_EQ(run({"start", "--target", "red_book"}), kExitRefused);
+  EXPECT_EQ(run({"start", "--target", "red_book"}), task::kExitRefused);
   EXPECT_TRUE(latched_);
   EXPECT_TRUE(commands_.empty());
   EXPECT_TRUE(requests_.empty());
@@ -181,7 +181,7 @@ TEST_F(OperatorOnABus, StartReleasesNoStop) {
 
 TEST_F(OperatorOnABus, AnArmThatDoesNotObeyIsExitCodeFour) {
   obeys_ = false;
-  EXPECT_EQ(run({"stop", "--patience", "0.3"}), kExitNoAnswer);
+  EXPECT_EQ(run({"stop", "--patience", "0.3"}), task::kExitNoAnswer);
 }
 
 TEST_F(OperatorOnABus, WhereNobodyObeysItSaysWhoSpeaksThere) {
@@ -204,14 +204,14 @@ TEST_F(OperatorOnABus, StartedByItsPathItComplainsInItsOwnName) {
 TEST_F(OperatorOnABus, HomeSendsItsKind) {
   latched_ = false;
   procedure_ = {TaskState::GO_HOME, TaskState::DONE};
-  EXPECT_EQ(run({"home"}), kExitReached);
+  EXPECT_EQ(run({"home"}), task::kExitReached);
   ASSERT_FALSE(commands_.empty());
   EXPECT_EQ(commands_[0].kind, TaskCommand::HOME);
 }
 
 TEST_F(OperatorOnABus, AbortSendsItsKind) {
   procedure_ = {TaskState::STOPPED};
-  EXPECT_EQ(run({"abort"}), kExitReached);
+  EXPECT_EQ(run({"abort"}), task::kExitReached);
   ASSERT_FALSE(commands_.empty());
   EXPECT_EQ(commands_[0].kind, TaskCommand::ABORT);
 }

@@ -1,10 +1,10 @@
-#include "services/task-operator/dialogue.hpp"
+#include "common/task/dialogue.hpp"
 
 #include <fmt/core.h>
 
 #include <utility>
 
-namespace markservo::task_operator {
+namespace markservo::task {
 namespace {
 
 std::string with_reason(const std::string& text, const std::string& reason) {
@@ -148,4 +148,4 @@ std::string Dialogue::silent_devices() const {
   return names;
 }
 
-}  // namespace markservo::task_operator
+}  // namespace markservo::task

@@ -1,9 +1,9 @@
-#include "services/task-operator/dialogue.hpp"
+#include "common/task/dialogue.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace markservo::task_operator {
+namespace markservo::task {
 namespace {
 
 using ::testing::HasSubstr;
@@ -182,4 +182,4 @@ TEST(AbortDialogue, IsSentAtOnceWhateverTheStopDevicesSay) {
 }
 
 }  // namespace
-}  // namespace markservo::task_operator
+}  // namespace markservo::task

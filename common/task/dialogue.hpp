@@ -10,7 +10,7 @@
 
 #include "common/states/task_phase.hpp"
 
-namespace markservo::task_operator {
+namespace markservo::task {
 
 enum class Action { kStart, kAbort, kHome, kStop, kReset };
 
@@ -104,4 +104,4 @@ class Dialogue {
   std::vector<std::string> lines_;  // to print at the next step
 };
 
-}  // namespace markservo::task_operator
+}  // namespace markservo::task
