@@ -34,25 +34,6 @@ std::string number_text(double number) {
   return {text, end.ptr};
 }
 
-nlohmann::ordered_json json_of(const Value& value) {
-  return std::visit(
-      [](const auto& content) -> nlohmann::ordered_json {
-        using Content = std::decay_t<decltype(content)>;
-        if constexpr (std::is_same_v<Content, Bytes>) {
-          return {{"bytes", content.size}};
-        } else if constexpr (std::is_same_v<Content, List>) {
-          auto list = nlohmann::ordered_json::array();
-          for (const Value& element : content) list.push_back(json_of(element));
-          return list;
-        } else if constexpr (std::is_same_v<Content, Fields>) {
-          return reflection::json_of(content);
-        } else {
-          return content;
-        }
-      },
-      value.content);
-}
-
 }  // namespace
 
 std::vector<Leaf> leaves(const Fields& fields) {
@@ -85,18 +66,6 @@ std::string printable(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char character) { return character < ' ' || character > '~'; }, '?');
   return text;
-}
-
-nlohmann::ordered_json json_of(const Fields& fields) {
-  auto object = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < fields.values.size(); ++i) {
-    object[fields.type->fields[i].name] = json_of(fields.values[i]);
-  }
-  return object;
-}
-
-std::string json_text(const nlohmann::ordered_json& json, int indent) {
-  return json.dump(indent, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace markservo::reflection

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -26,11 +25,5 @@ std::string text_of(const Field& field, const Value& value);
 
 // A text from the bus or a log for a terminal, which control characters could command: all but printable ASCII is "?".
 std::string printable(std::string text);
-
-// The message as JSON, bytes as {"bytes": number}; numbers that JSON cannot hold (NaN, infinite) as null.
-nlohmann::ordered_json json_of(const Fields& fields);
-
-// JSON as text, indented by `indent` (-1: one line); what is no UTF-8 in a name or text from elsewhere is replaced.
-std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
 
 }  // namespace markservo::reflection

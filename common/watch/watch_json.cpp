@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "common/reflection/message_json.hpp"
 #include "common/reflection/type_catalog.hpp"
-#include "common/reflection/value_text.hpp"
 
 namespace markservo::watch {
 namespace {

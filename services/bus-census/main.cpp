@@ -12,7 +12,7 @@
 #include "common/bus/service.hpp"
 #include "common/bus/tool.hpp"
 #include "common/census/census_text.hpp"
-#include "common/reflection/value_text.hpp"
+#include "common/reflection/message_json.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/time/clocks.hpp"
 #include "services/bus-census/bus_census_node.hpp"

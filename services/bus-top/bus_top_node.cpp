@@ -11,6 +11,7 @@
 #include "common/bus/end_signals.hpp"
 #include "common/bus/options.hpp"
 #include "common/bus/tool.hpp"
+#include "common/reflection/message_json.hpp"
 #include "common/reflection/message_note.hpp"
 #include "common/reflection/type_files.hpp"
 #include "common/reflection/value_text.hpp"

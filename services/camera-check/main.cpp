@@ -6,7 +6,7 @@
 #include "common/bus/exit_code.hpp"
 #include "common/bus/options.hpp"
 #include "common/bus/tool.hpp"
-#include "common/reflection/value_text.hpp"
+#include "common/reflection/message_json.hpp"
 #include "services/camera-check/camera_check_node.hpp"
 
 namespace {

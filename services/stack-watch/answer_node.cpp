@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/census/census_text.hpp"
-#include "common/reflection/value_text.hpp"
+#include "common/reflection/message_json.hpp"
 #include "services/stack-watch/stack_watch_node.hpp"
 
 namespace markservo::stack_watch {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/reflection/value_text.hpp"
+#include "common/reflection/message_json.hpp"
 #include "common/watch/watch_json.hpp"
 
 namespace markservo::bus_top {
