@@ -22,6 +22,8 @@ class BaseStatus;
 class JointCommand;
 class JointState;
 class MarkDetection;
+class ProcessStatus;
+class RecorderStatus;
 class RfidTagHits;
 class RobotPose;
 class ServiceStatus;
@@ -143,6 +145,16 @@ template <>
 struct MessageRules<ServiceStatus> {
   static std::string violation(const ServiceStatus& status);
   static void clean_texts(ServiceStatus& status);
+};
+template <>
+struct MessageRules<ProcessStatus> {
+  static std::string violation(const ProcessStatus& status);
+  static void clean_texts(ProcessStatus& status);
+};
+template <>
+struct MessageRules<RecorderStatus> {
+  static std::string violation(const RecorderStatus& status);
+  static void clean_texts(RecorderStatus& status);
 };
 template <>
 struct MessageRules<SimControl> {

@@ -84,7 +84,10 @@ void RecorderNode::begin_manifest() {
 }
 
 void RecorderNode::join_bus() {
-  if (runs_.begin()) return;
+  if (runs_.begin()) {
+    word_.emplace(options_.plan, folder_.path());
+    return;
+  }
   runs_.end();
   give_up_if_told();
   const LoggerWords& words = runs_.words();
@@ -121,6 +124,7 @@ void RecorderNode::watch() {
     }
     remove_old_parts();
     show_progress();
+    tell(true, "");
     std::int64_t pause_us = kLook_us;
     if (options_.plan.duration_s) {
       pause_us = std::clamp(*options_.plan.duration_s * 1'000'000 - recorded_us(), kShortest_us, kLook_us);
@@ -161,15 +165,16 @@ bool RecorderNode::go_on_after(std::int64_t from_utime, const LoggerEnd& end, co
   begin_gap(&manifest_, from_utime, end, reason);
   write_manifest(folder_.path(), manifest_);
   if (!is_terminal()) warn(reason + ": the recording goes on in the next part");
-  if (!begin_again()) return false;
+  if (!begin_again(reason + ": it goes on in the next part")) return false;
   end_gap(&manifest_, runs_.listens_since());
   write_manifest(folder_.path(), manifest_);
   return true;
 }
 
 // Until there is a logger that listens; false when the recording ends instead.
-bool RecorderNode::begin_again() {
+bool RecorderNode::begin_again(const std::string& why) {
   while (true) {
+    tell(false, why);
     const std::int64_t until_us = steady_clock_us() + runs_.pause_us();
     while (true) {
       ended_by_ = reason_to_end();
@@ -177,6 +182,7 @@ bool RecorderNode::begin_again() {
       const std::int64_t left_us = until_us - steady_clock_us();
       if (left_us <= 0) break;
       signals_.wait(std::min(left_us, kLook_us));
+      tell(false, why);
     }
     if (runs_.begin()) return true;
     runs_.end();
@@ -200,12 +206,18 @@ void RecorderNode::show_progress() const {
        " MB free; Ctrl-C ends it");
 }
 
+void RecorderNode::tell(bool recording, const std::string& why) {
+  word_->tell({recording, folder_.recorded_bytes(), free_mb_, static_cast<int>(folder_.parts().size()), why},
+              steady_clock_us());
+}
+
 int RecorderNode::finish() {
   const LoggerEnd last = runs_.end();
   const LoggerEnd logger = failed_as_.value_or(last);
   const std::int64_t end_utime = wall_clock_us();
   const LoggerWords& words = runs_.words();
   ended_by_ = reason_in_the_end(*ended_by_, logger, words.says_disk_is_full());
+  tell(false, fault_of(*ended_by_, logger, options_.plan, free_mb_).value_or(""));
   remove_old_parts();
   folder_.release_reserve();
   const ManifestEnd end{text_of(*ended_by_), end_utime, logger.exit_code(), words.all(),

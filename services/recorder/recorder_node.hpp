@@ -8,6 +8,7 @@
 #include "services/recorder/logger/logger_runs_node.hpp"
 #include "services/recorder/manifest/manifest.hpp"
 #include "services/recorder/recorder_options.hpp"
+#include "services/recorder/recorder_word.hpp"
 #include "services/recorder/recording_end.hpp"
 #include "services/recorder/signal_queue.hpp"
 
@@ -33,9 +34,10 @@ class RecorderNode {
   bool resume();
   bool rejoin();
   bool go_on_after(std::int64_t from_utime, const LoggerEnd& end, const std::string& reason);
-  bool begin_again();
+  bool begin_again(const std::string& why);
   void remove_old_parts();
   void show_progress() const;
+  void tell(bool recording, const std::string& why);
   int finish();
   int report(const LoggerEnd& logger);
   std::int64_t recorded_us() const;
@@ -44,6 +46,7 @@ class RecorderNode {
   SignalQueue& signals_;
   RecordingFolder folder_;
   LoggerRuns runs_;
+  std::optional<RecorderWord> word_;  // once there is a bus
   Json manifest_;
   std::int64_t began_us_ = 0;  // of a clock that nobody sets
   std::int64_t free_mb_ = 0;

@@ -12,6 +12,13 @@ void Kills::add(const Kill& kill) {
   if (newest_.size() > kKept) newest_.pop_front();
 }
 
+std::optional<double> Kills::silent_s(const std::string& name, int pid) const {
+  for (auto kill = newest_.rbegin(); kill != newest_.rend(); ++kill) {
+    if (kill->name == name && kill->pid == pid) return kill->silent_s;
+  }
+  return std::nullopt;
+}
+
 std::string Kills::told(std::int64_t now_us) const {
   if (newest_.empty() || now_us - newest_.back().utime >= kTold_us) return {};
   const Kill& last = newest_.back();

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 
 namespace markservo::stack_watch {
@@ -22,6 +23,8 @@ class Kills {
  public:
   void add(const Kill& kill);
   const std::deque<Kill>& newest() const { return newest_; }  // oldest first
+  // How long the process was silent, s; nothing: it was not killed, or long ago.
+  std::optional<double> silent_s(const std::string& name, int pid) const;
   // Of the last one; empty a minute after it.
   std::string told(std::int64_t now_us) const;
 

@@ -8,7 +8,7 @@
 #include "common/bus/host_name.hpp"
 #include "common/bus/session.hpp"
 #include "common/census/census.hpp"
-#include "services/stack-watch/lcm_datagram.hpp"
+#include "services/stack-watch/short_message_of.hpp"
 
 namespace markservo::stack_watch {
 namespace {
@@ -18,9 +18,7 @@ constexpr std::size_t kMaxReason = 200;  // bytes, as any text on the bus
 }  // namespace
 
 OwnWord::OwnWord(const std::string& robot)
-    : channel_((robot.empty() ? "" : robot + "/") + std::string(channels::kServiceStatus.name)),
-      host_(bus::host_name()),
-      session_(bus::random_session()) {}
+    : channel_(channel_of(robot, channels::kServiceStatus)), host_(bus::host_name()), session_(bus::random_session()) {}
 
 std::vector<std::uint8_t> OwnWord::next(bool well, const std::string& reason, std::int64_t wall_us) {
   ServiceStatus status{};
@@ -33,9 +31,7 @@ std::vector<std::uint8_t> OwnWord::next(bool well, const std::string& reason, st
   status.pid = getpid();
   status.version = MARKSERVO_VERSION;
   status.state = well ? "ready" : "stale";
-  std::vector<std::uint8_t> payload(static_cast<std::size_t>(status.getEncodedSize()));
-  status.encode(payload.data(), 0, static_cast<int>(payload.size()));
-  return short_message(static_cast<std::uint32_t>(seq_), channel_, payload);
+  return short_message_of(status, channel_);
 }
 
 }  // namespace markservo::stack_watch

@@ -1,6 +1,7 @@
 #include "services/stack-watch/stack_watch_node.hpp"
 
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,8 @@ StackWatchNode::StackWatchNode(StackWatchSettings settings)
       socket_(group_address(settings_.url)),
       word_(settings_.robot),
       silence_(settings_.silence),
-      recent_(now()) {
+      recent_(now()),
+      process_words_(settings_.robot) {
   bus::note_end_signals();
   reader_.emplace(settings_.supervisor, settings_.url,
                   [this](SupervisorAnswer answer) { note_answer(std::move(answer)); });
@@ -129,6 +131,13 @@ void StackWatchNode::note_answer(SupervisorAnswer answer) {
   census::KnownProcesses known{word_.host(), {}};
   for (const RunningProcess& process : supervisor_.running()) known.processes.insert({process.name, process.pid});
   recent_.observe(known);
+  speak_of_processes(Telling::kChangedState);
+}
+
+// Why what is known of processes may not be so any more.
+std::string StackWatchNode::trouble() const {
+  if (!supervisor_.cannot_ask().empty()) return "its supervisor cannot be asked";
+  return supervisor_.is_dead() ? "its supervisor is dead" : "";
 }
 
 std::string StackWatchNode::reason() const {
@@ -146,6 +155,18 @@ void StackWatchNode::speak() {
   const bool well = supervisor_.cannot_ask().empty() && !supervisor_.is_dead();
   silence_.send_beacon();
   socket_.send(word_.next(well, reason(), wall_clock_us()));
+  speak_of_processes(Telling::kAll);
+}
+
+// The caller holds mutex_.
+void StackWatchNode::speak_of_processes(Telling telling) {
+  const Instant when = now();
+  std::map<std::string, ProcessFindings> findings;
+  for (const RunningProcess& process : supervisor_.running()) {
+    findings[process.name] = {silence_.silent_for_us(process.name, process.pid, when.steady_us), silence_.limit_us()};
+  }
+  const auto words = process_words_.watch.words(supervisor_.processes(), findings, kills_, trouble(), when.wall_us);
+  for (const auto& datagram : process_words_.next(words, telling, when.wall_us)) socket_.send(datagram);
 }
 
 }  // namespace markservo::stack_watch

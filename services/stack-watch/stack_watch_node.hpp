@@ -10,6 +10,7 @@
 #include "services/stack-watch/heard.hpp"
 #include "services/stack-watch/incidents.hpp"
 #include "services/stack-watch/own_word_message.hpp"
+#include "services/stack-watch/process_word_messages.hpp"
 #include "services/stack-watch/silence.hpp"
 #include "services/stack-watch/supervisor/periodic_supervisor_reader.hpp"
 #include "services/stack-watch/supervisor/supervisor_memory.hpp"
@@ -45,9 +46,11 @@ class StackWatchNode {
   void on_datagram(const Datagram& datagram);
   void step();
   void speak();
+  void speak_of_processes(Telling telling);
   void keep_bus();
   void kill_if_silent(const SilentService& silent);
   void note_answer(SupervisorAnswer answer);
+  std::string trouble() const;
   std::string reason() const;
 
   StackWatchSettings settings_;
@@ -59,6 +62,7 @@ class StackWatchNode {
   SilenceWatch silence_;
   RecentCensus recent_;
   Kills kills_;
+  ProcessWordMessages process_words_;
   BusCondition bus_;
   CraftedFragments crafted_;
 

@@ -8,6 +8,8 @@
 #include <markservo/JointCommand.hpp>
 #include <markservo/JointState.hpp>
 #include <markservo/MarkDetection.hpp>
+#include <markservo/ProcessStatus.hpp>
+#include <markservo/RecorderStatus.hpp>
 #include <markservo/RfidTagHits.hpp>
 #include <markservo/RobotPose.hpp>
 #include <markservo/ServiceStatus.hpp>
@@ -33,9 +35,9 @@ namespace markservo::fuzz {
 template <class... Types>
 struct Channels {};
 
-using ChannelTypes =
-    Channels<StereoFrame, MarkDetection, TargetPose, StereoMatches, ServoGoal, ServoStatus, JointCommand, JointState,
-             TaskCommand, TaskState, StopRequest, StopState, ServiceStatus, SimControl, SimTruth, RfidTagHits,
-             WheelOdometry, SonarScan, RobotPose, BaseGoal, BaseStatus, BaseCommand, SimBaseTruth>;
+using ChannelTypes = Channels<StereoFrame, MarkDetection, TargetPose, StereoMatches, ServoGoal, ServoStatus,
+                              JointCommand, JointState, TaskCommand, TaskState, StopRequest, StopState, ServiceStatus,
+                              SimControl, SimTruth, RfidTagHits, WheelOdometry, SonarScan, RobotPose, BaseGoal,
+                              BaseStatus, BaseCommand, SimBaseTruth, ProcessStatus, RecorderStatus>;
 
 }  // namespace markservo::fuzz

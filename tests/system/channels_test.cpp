@@ -44,7 +44,7 @@ const std::vector<Tested>& services() {
 
 // Who reads all of a bus, and who is no service.
 bool is_no_single_service(const std::string& name) {
-  static const Names names = {"all", "person", "bus-census", "bus-top", "stack-watch"};
+  static const Names names = {"all", "person", "bus-census", "bus-top", "recorder", "stack-watch"};
   return names.count(name) > 0;
 }
 

@@ -45,8 +45,10 @@ std::optional<std::string> multicast_group(const std::string& lcm_url) {
 
 std::string channel_expression(bool frames, const std::string& robot) {
   const std::string prefix = robot.empty() ? "" : robot + "/";
-  if (frames) return prefix + ".*";
-  return "(?!" + (robot.empty() ? std::string("(.*/)?") : prefix) + channels::kStereoFrame.name + "$)" + prefix + ".*";
+  const std::string any_prefix = robot.empty() ? "(.*/)?" : prefix;
+  std::string left_out = channels::kRecorderStatus.name;
+  if (!frames) left_out = "(" + left_out + "|" + channels::kStereoFrame.name + ")";
+  return "(?!" + any_prefix + left_out + "$)" + prefix + ".*";
 }
 
 std::int64_t unwritten_megabytes(std::int64_t available_memory_kib) {

@@ -21,7 +21,7 @@ std::optional<std::int64_t> asked_receive_buffer(const std::string& lcm_url);
 std::optional<std::string> multicast_group(const std::string& lcm_url);
 
 // The channels to record, as a regular expression of the whole name. Frames that no one asked for are not even put
-// together.
+// together; what recorders say of themselves stands in the manifest.
 std::string channel_expression(bool frames, const std::string& robot);
 
 // How much it may keep in memory while the disk is slow, MB: a quarter of what is free, from 100 to 1000.

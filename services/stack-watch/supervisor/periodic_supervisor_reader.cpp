@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "services/stack-watch/supervisor/command_line.hpp"
+#include "services/stack-watch/supervisor/starts_reader.hpp"
 #include "services/stack-watch/supervisor/supervisor_reader.hpp"
 
 namespace markservo::stack_watch {
@@ -31,7 +32,8 @@ SupervisorAnswer PeriodicSupervisorReader::ask() const {
   try {
     answer.processes = ask_supervisor(path_);
     answer.alive = true;
-    for (const SupervisedProcess& process : answer.processes) {
+    for (SupervisedProcess& process : answer.processes) {
+      note_starts(path_, process);
       if (!runs(process)) continue;
       const bool speaks = must_speak(command_line_of(process.pid), process.name, url_);
       answer.running.push_back({process.name, process.pid, speaks});

@@ -1,13 +1,17 @@
 #include "services/stack-watch/supervisor/supervisor_words.hpp"
 
 #include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "common/census/census.hpp"
 
 namespace markservo::stack_watch {
 namespace {
+
+constexpr std::int64_t kSecond_us = 1'000'000;
 
 // What stands between `begin` and `end` from `at` on, which then moves behind it; throws where that is not there.
 std::string between(std::string_view text, const std::string& begin, const std::string& end, std::size_t* at) {
@@ -17,6 +21,16 @@ std::string between(std::string_view text, const std::string& begin, const std::
   if (to == std::string_view::npos) throw std::invalid_argument("supervisord's answer ends too soon");
   *at = to + end.size();
   return std::string(text.substr(from + begin.size(), to - from - begin.size()));
+}
+
+// A text as it was before it was put into XML.
+std::string text_of(std::string content) {
+  for (const auto& [escape, character] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}}) {
+    for (std::size_t at = content.find(escape); at != std::string::npos; at = content.find(escape, at + 1)) {
+      content.replace(at, std::strlen(escape), character);
+    }
+  }
+  return content;
 }
 
 // Without the one element around it: "<int>7</int>" is "7", "<string></string>" is "".
@@ -50,6 +64,9 @@ std::vector<SupervisedProcess> processes_in(const std::string& answer) {
       if (key == "name") process.name = value;
       if (key == "statename") process.state = value;
       if (key == "pid") process.pid = std::atoi(value.c_str());
+      if (key == "start") process.start_utime = kSecond_us * std::atoll(value.c_str());
+      if (key == "exitstatus") process.exit_code = std::atoi(value.c_str());
+      if (key == "spawnerr") process.spawn_error = text_of(value);
     }
     if (process.name.empty() || process.state.empty()) {
       throw std::invalid_argument("supervisord's answer names no process");

@@ -29,6 +29,8 @@ const std::map<std::string, std::uint64_t> kFingerprints = {
     {"PaperLocalisation", 0xd965642cadc536c1},
     {"Pose2", 0x479f41e1ade43dc7},
     {"PoseCovariance2", 0xcc5f85f8a0d47dcb},
+    {"ProcessStatus", 0x9c5d22b98fd61496},
+    {"RecorderStatus", 0x60b09a864d5609a7},
     {"RfidTagHit", 0x15bd3582427c100b},
     {"RfidTagHits", 0x94adaf012d241710},
     {"RobotPose", 0x10ab0d9900d03876},

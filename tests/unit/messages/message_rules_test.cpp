@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <markservo/JointCommand.hpp>
 #include <markservo/MarkDetection.hpp>
+#include <markservo/ProcessStatus.hpp>
+#include <markservo/RecorderStatus.hpp>
 #include <markservo/ServiceStatus.hpp>
 #include <markservo/ServoGoal.hpp>
 #include <markservo/ServoStatus.hpp>
@@ -227,6 +229,25 @@ TEST(TruthAndDisplayRules, RefuseWhatIsNotANumber) {
   status.channels[0].latency_p99 = 0.0;
   status.channels[0].lost = -1;
   EXPECT_NE(violation(status).find("is -1;"), std::string::npos);
+}
+
+TEST(StackRules, RefuseProcessesAndRecordingsThatCannotBe) {
+  ProcessStatus process{};
+  process.state = ProcessStatus::FAILED;
+  process.pid = 7;
+  EXPECT_EQ(violation(process), "");
+  process.state = ProcessStatus::FAILED + 1;
+  EXPECT_EQ(violation(process), "state is 7; allowed: 0 to 6");
+  process.state = ProcessStatus::RUNNING;
+  process.pid = -1;
+  EXPECT_EQ(violation(process), "pid is -1; allowed: 0 or more");
+  process.pid = 7;
+  process.restarts = -1;
+  EXPECT_NE(violation(process).find("restarts"), std::string::npos);
+  RecorderStatus recorder{};
+  EXPECT_EQ(violation(recorder), "");
+  recorder.free_bytes = -5;
+  EXPECT_EQ(violation(recorder), "free_bytes is -5; allowed: 0 or more");
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <functional>
 #include <markservo/BaseStatus.hpp>
 #include <markservo/MarkDetection.hpp>
+#include <markservo/ProcessStatus.hpp>
+#include <markservo/RecorderStatus.hpp>
 #include <markservo/RfidTagHits.hpp>
 #include <markservo/RobotPose.hpp>
 #include <markservo/ServiceStatus.hpp>
@@ -84,6 +86,18 @@ TEST(TextRules, HoldForEveryTextThatATypeDeclares) {
   hits.hits.resize(1);
   expect_checked<RfidTagHits>(
       "hits.uid", hits, [](auto& m) -> auto& { return m.hits[0].uid; });
+  expect_checked<ProcessStatus>(
+      "name", {}, [](auto& m) -> auto& { return m.name; });
+  expect_checked<ProcessStatus>(
+      "host", {}, [](auto& m) -> auto& { return m.host; });
+  expect_checked<ProcessStatus>(
+      "why", {}, [](auto& m) -> auto& { return m.why; });
+  expect_checked<RecorderStatus>(
+      "folder", {}, [](auto& m) -> auto& { return m.folder; });
+  expect_checked<RecorderStatus>(
+      "host", {}, [](auto& m) -> auto& { return m.host; });
+  expect_checked<RecorderStatus>(
+      "why", {}, [](auto& m) -> auto& { return m.why; });
   expect_checked<RobotPose>(
       "reason", {}, [](auto& m) -> auto& { return m.reason; });
   ServiceStatus status{};

@@ -44,8 +44,17 @@ TEST(MulticastGroup, IsTheUrlsOrLiblcmsOwn) {
   EXPECT_EQ(multicast_group("tcpq://127.0.0.1:7700"), std::nullopt);
 }
 
-TEST(ChannelExpression, TakesAll) {
-  EXPECT_EQ(channel_expression(true, ""), ".*");
+TEST(ChannelExpression, TakesAllButWhatRecordersSayOfThemselves) {
+  const std::string all = channel_expression(true, "");
+  EXPECT_TRUE(takes(all, "STEREO_FRAME"));
+  EXPECT_TRUE(takes(all, "left/JOINT_STATE"));
+  EXPECT_TRUE(takes(all, "anything of others"));
+  EXPECT_TRUE(takes(all, "RECORDER_STATUS_OF_OTHERS"));
+  for (const bool frames : {true, false}) {
+    EXPECT_FALSE(takes(channel_expression(frames, ""), "RECORDER_STATUS"));
+    EXPECT_FALSE(takes(channel_expression(frames, ""), "left/RECORDER_STATUS"));
+    EXPECT_FALSE(takes(channel_expression(frames, "left"), "left/RECORDER_STATUS"));
+  }
 }
 
 TEST(ChannelExpression, TakesOneRobotsChannels) {
@@ -78,8 +87,9 @@ TEST(LoggerArguments, SplitOnlyWhereAskedTo) {
   RecordingPlan plan;
   plan.lcm_url = "udpm://?ttl=0";
   std::vector<std::string> arguments = logger_arguments(plan, std::int64_t{4096} * 700, "/logs/a b/log.lcm");
-  EXPECT_EQ(arguments, (std::vector<std::string>{"--lcm-url=udpm://?ttl=0", "--channel=.*", "--max-unwritten-mb=700",
-                                                 "--flush-interval=250", "/logs/a b/log.lcm"}));
+  EXPECT_EQ(arguments,
+            (std::vector<std::string>{"--lcm-url=udpm://?ttl=0", "--channel=" + channel_expression(true, ""),
+                                      "--max-unwritten-mb=700", "--flush-interval=250", "/logs/a b/log.lcm"}));
   plan.split_mb = 500;
   arguments = logger_arguments(plan, std::int64_t{4096} * 700, "/logs/a b/log.lcm");
   EXPECT_EQ(std::count(arguments.begin(), arguments.end(), "-i"), 1);

@@ -8,8 +8,12 @@ namespace {
 using News = SupervisorMemory::News;
 
 SupervisorAnswer alive_with(const std::string& name, int pid) {
+  SupervisedProcess process;
+  process.name = name;
+  process.state = "RUNNING";
+  process.pid = pid;
   SupervisorAnswer answer;
-  answer.processes = {{name, "RUNNING", pid}};
+  answer.processes = {process};
   answer.running = {{name, pid, true}};
   answer.alive = true;
   return answer;

@@ -36,6 +36,17 @@ TEST(SupervisorWords, AreReadFromItsAnswer) {
   EXPECT_EQ(processes[1].pid, 0);
 }
 
+TEST(SupervisorWords, TellSinceWhenAProcessRunsAndHowTheLastOneEnded) {
+  const auto processes = processes_in(answer_of(
+      "<value><struct>\n" + member("name", "<string>arm</string>") + member("start", "<int>1700000000</int>") +
+      member("statename", "<string>FATAL</string>") + member("exitstatus", "<int>-1</int>") +
+      member("spawnerr", "<string>no &lt;such&gt; &amp;lt; command</string>") + "</struct></value>\n"));
+  ASSERT_EQ(processes.size(), 1U);
+  EXPECT_EQ(processes[0].start_utime, 1'700'000'000'000'000);
+  EXPECT_EQ(processes[0].exit_code, -1);
+  EXPECT_EQ(processes[0].spawn_error, "no <such> &lt; command");
+}
+
 TEST(SupervisorWords, OfNoProcessAreNone) {
   EXPECT_TRUE(processes_in(answer_of("")).empty());
 }

@@ -1,0 +1,50 @@
+#include "services/recorder/recorder_word.hpp"
+
+#include <markservo/RecorderStatus.hpp>
+#include <utility>
+
+#include "common/bus/host_name.hpp"
+#include "common/time/clocks.hpp"
+
+namespace markservo::recorder {
+namespace {
+
+constexpr std::int64_t kPeriod_us = 1'000'000;
+constexpr std::int64_t kMegabyte = 1'000'000;
+
+bus::BusParameters bus_of(const RecordingPlan& plan) {
+  bus::BusParameters parameters;
+  parameters.urls = {plan.lcm_url, plan.lcm_url};
+  parameters.service_name = "recorder";
+  parameters.robot = plan.robot;
+  parameters.heartbeat = false;
+  parameters.waits_for_network = true;
+  return parameters;
+}
+
+bool is_news(const RecordingWord& told, const RecordingWord& word) {
+  return told.recording != word.recording || told.parts != word.parts || told.why != word.why;
+}
+
+}  // namespace
+
+RecorderWord::RecorderWord(const RecordingPlan& plan, std::string folder)
+    : folder_(std::move(folder)), bus_(bus_of(plan)), statuses_(bus_.advertise(channels::kRecorderStatus)) {}
+
+void RecorderWord::tell(const RecordingWord& word, std::int64_t steady_us) {
+  if (told_ && !is_news(*told_, word) && steady_us - told_us_ < kPeriod_us) return;
+  told_ = word;
+  told_us_ = steady_us;
+  RecorderStatus status{};
+  status.utime = wall_clock_us();
+  status.folder = folder_;
+  status.host = bus::host_name();
+  status.recording = word.recording ? 1 : 0;
+  status.bytes = word.bytes;
+  status.free_bytes = kMegabyte * word.free_mb;
+  status.parts = word.parts;
+  status.why = word.why;
+  statuses_.publish(status);
+}
+
+}  // namespace markservo::recorder
