@@ -35,6 +35,9 @@ inline bool is_udpm(const std::string& url) {
   return url.rfind("udpm://", 0) == 0;
 }
 
+inline bool is_memq(const std::string& url) {
+  return url.rfind("memq://", 0) == 0;
+}
 inline bool is_tcpq(const std::string& url) {
   return url.rfind("tcpq://", 0) == 0;
 }

@@ -35,6 +35,10 @@ bool is_refusal(int error) {
          error == EINVAL || error == ECONNREFUSED || error == EPIPE;
 }
 
+[[noreturn]] void refuse_url(const std::string& url) {
+  throw BusUnavailable("bus " + url + ": cannot be joined; allowed: udpm://, tcpq://, memq:// or file:// URLs");
+}
+
 // A server that takes or gives nothing any more keeps nobody for longer: liblcm then takes it for gone.
 void bound_patience(int descriptor) {
   const timeval patience{1, 0};
@@ -54,6 +58,8 @@ bool Connection::open() {
 }
 
 bool Connection::try_to_open() {
+  // liblcm would print a line of its own.
+  if (!is_udpm(url_) && !is_tcpq(url_) && !is_memq(url_) && !is_file(url_)) refuse_url(url_);
   const Reachability found = reach(url_, attach_ != nullptr);
   if (found.kind == Reachability::Kind::kNever) {
     throw BusUnavailable("bus " + url_ + ": cannot be joined: " + found.reason);
@@ -67,9 +73,7 @@ bool Connection::try_to_open() {
   lcm_.reset();  // the old one's descriptors first
   if (is_written_file(url_) && !log_) log_ = std::make_unique<LogOutput>(file_path(url_));
   auto opened = std::make_unique<lcm::LCM>(log_ ? "memq://" : url_);
-  if (!opened->good()) {
-    throw BusUnavailable("bus " + url_ + ": cannot be joined; allowed: udpm://, tcpq://, memq:// or file:// URLs");
-  }
+  if (!opened->good()) refuse_url(url_);
   if (is_tcpq(url_)) bound_patience(opened->getFileno());
   if (attach_) {
     attach_(*opened);

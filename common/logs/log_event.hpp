@@ -16,7 +16,7 @@ struct ByteView {
 };
 
 // One message of a log; refers to the log's bytes.
-struct Event {
+struct LogEvent {
   std::int64_t number = 0;  // counted by the logger
   std::int64_t utime = 0;   // us, the logger's wall clock
   std::string_view channel;

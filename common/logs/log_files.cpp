@@ -95,8 +95,8 @@ LogSet::LogSet(const std::vector<std::string>& paths, const FitCheck& fit) {
   }
 }
 
-std::vector<Event> LogSet::events() const {
-  std::vector<Event> all;
+std::vector<LogEvent> LogSet::events() const {
+  std::vector<LogEvent> all;
   for (const auto& file : files_) all.insert(all.end(), file->events().begin(), file->events().end());
   return all;
 }
@@ -114,12 +114,12 @@ FitCheck fit_of(const reflection::TypeCatalog& types) {
   };
 }
 
-void write_log(const std::string& path, const std::vector<Event>& events) {
+void write_log(const std::string& path, const std::vector<LogEvent>& events) {
   // "x": a log that is there is never overwritten.
   std::FILE* file = std::fopen(path.c_str(), "wbx");
   if (file == nullptr) complain(path, std::strerror(errno), "a new file in a folder that can be written");
   bool good = true;
-  for (const Event& event : events) {
+  for (const LogEvent& event : events) {
     const std::string bytes = encoded(event);
     good = good && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   }

@@ -27,7 +27,7 @@ class LogFile {
 
   const std::string& path() const { return path_; }
   std::size_t bytes() const { return size_; }
-  const std::vector<Event>& events() const { return scan_.events; }
+  const std::vector<LogEvent>& events() const { return scan_.events; }
   const std::vector<Damage>& damage() const { return scan_.damage; }
 
  private:
@@ -45,7 +45,7 @@ class LogSet {
   LogSet(const std::vector<std::string>& paths, const FitCheck& fit);
 
   const std::vector<std::unique_ptr<LogFile>>& files() const { return files_; }
-  std::vector<Event> events() const;
+  std::vector<LogEvent> events() const;
   bool damaged() const;
 
  private:
@@ -56,6 +56,6 @@ class LogSet {
 FitCheck fit_of(const reflection::TypeCatalog& types);
 
 // Writes the events as a log that did not exist before. Throws LogFileError, and then leaves none behind.
-void write_log(const std::string& path, const std::vector<Event>& events);
+void write_log(const std::string& path, const std::vector<LogEvent>& events);
 
 }  // namespace markservo::logs

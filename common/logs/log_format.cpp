@@ -45,13 +45,13 @@ std::size_t next_sync(ByteView log, std::size_t offset) {
   return static_cast<std::size_t>(std::search(log.data + offset, end, kSync.begin(), kSync.end()) - log.data);
 }
 
-Event event_at(ByteView log, std::size_t offset, const Header& header, std::size_t data_size) {
+LogEvent event_at(ByteView log, std::size_t offset, const Header& header, std::size_t data_size) {
   const auto channel_size = static_cast<std::size_t>(header.channel_size);
   const ByteView channel{log.data + offset + kHeaderSize, channel_size};
   return {header.number, header.utime, channel.text(), {channel.data + channel_size, data_size}};
 }
 
-std::string encoded(const Event& event) {
+std::string encoded(const LogEvent& event) {
   std::string bytes;
   bytes.reserve(kHeaderSize + event.channel.size() + event.data.size);
   append(bytes, kSyncWord, 4);

@@ -37,9 +37,9 @@ bool sync_at(ByteView log, std::size_t offset);
 std::size_t next_sync(ByteView log, std::size_t offset);
 
 // The event at `offset` with a message of `data_size` bytes; all of it must lie within the log.
-Event event_at(ByteView log, std::size_t offset, const Header& header, std::size_t data_size);
+LogEvent event_at(ByteView log, std::size_t offset, const Header& header, std::size_t data_size);
 
 // The event as a log holds it.
-std::string encoded(const Event& event);
+std::string encoded(const LogEvent& event);
 
 }  // namespace markservo::logs

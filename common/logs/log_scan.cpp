@@ -94,7 +94,7 @@ class Scanner {
     return difference != 0 && (difference & (difference - 1)) == 0;
   }
 
-  Event event_to(std::size_t at, const Header& header, std::size_t end) const {
+  LogEvent event_to(std::size_t at, const Header& header, std::size_t end) const {
     return event_at(log_, at, header, end - at - kHeaderSize - static_cast<std::size_t>(header.channel_size));
   }
 

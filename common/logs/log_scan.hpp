@@ -12,8 +12,8 @@ enum class Fit { kFits, kDoesNot, kUnknownType };
 using FitCheck = std::function<Fit(ByteView message)>;
 
 struct Scan {
-  std::vector<Event> events;   // in the log's order; they refer to its bytes
-  std::vector<Damage> damage;  // what is no event, in order
+  std::vector<LogEvent> events;  // in the log's order; they refer to its bytes
+  std::vector<Damage> damage;    // what is no event, in order
 };
 
 // Reads any bytes as a log. Where they are damaged, everything outside the damage is kept: the event before a corrupt

@@ -27,7 +27,7 @@ class ChannelStatistics {
     summary_.channel = std::move(channel);
   }
 
-  void add(const logs::Event& event) {
+  void add(const logs::LogEvent& event) {
     note_time(event.utime);
     ++summary_.events;
     const auto size = static_cast<std::int64_t>(event.data.size);
@@ -117,11 +117,11 @@ std::int64_t LogSummary::undecodable() const {
   return sum;
 }
 
-LogSummary summarise(const std::vector<logs::Event>& events, const reflection::TypeCatalog& catalog) {
+LogSummary summarise(const std::vector<logs::LogEvent>& events, const reflection::TypeCatalog& catalog) {
   LogSummary summary;
   summary.steps = time_steps(events);
   std::map<std::string, ChannelStatistics, std::less<>> channels;
-  for (const logs::Event& event : events) {
+  for (const logs::LogEvent& event : events) {
     if (summary.events == 0) summary.first_utime = summary.last_utime = event.utime;
     summary.first_utime = std::min(summary.first_utime, event.utime);
     summary.last_utime = std::max(summary.last_utime, event.utime);

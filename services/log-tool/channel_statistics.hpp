@@ -44,6 +44,6 @@ struct LogSummary {
   std::int64_t undecodable() const;
 };
 
-LogSummary summarise(const std::vector<logs::Event>& events, const reflection::TypeCatalog& catalog);
+LogSummary summarise(const std::vector<logs::LogEvent>& events, const reflection::TypeCatalog& catalog);
 
 }  // namespace markservo::log_tool

@@ -42,7 +42,7 @@ std::string comparison_text(const LogComparison& comparison, const ComparisonPar
   return text;
 }
 
-std::string first_mismatch(const std::vector<logs::Event>& one, const std::vector<logs::Event>& other) {
+std::string first_mismatch(const std::vector<logs::LogEvent>& one, const std::vector<logs::LogEvent>& other) {
   for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
     if (one[i].channel != other[i].channel) {
       return fmt::format("event {}: channel {} here, {} there", i, printable(std::string(one[i].channel)),

@@ -11,6 +11,6 @@ namespace markservo::log_tool {
 std::string comparison_text(const LogComparison& comparison, const ComparisonParameters& parameters);
 
 // Why two logs are not the same sequence of (channel, payload): one line; empty when they are.
-std::string first_mismatch(const std::vector<logs::Event>& one, const std::vector<logs::Event>& other);
+std::string first_mismatch(const std::vector<logs::LogEvent>& one, const std::vector<logs::LogEvent>& other);
 
 }  // namespace markservo::log_tool

@@ -36,18 +36,18 @@ class ChannelFilter {
 
 }  // namespace
 
-std::set<std::string> channels_of(const std::vector<logs::Event>& events) {
+std::set<std::string> channels_of(const std::vector<logs::LogEvent>& events) {
   std::set<std::string, std::less<>> names;
-  for (const logs::Event& event : events) {
+  for (const logs::LogEvent& event : events) {
     if (names.find(event.channel) == names.end()) names.emplace(event.channel);
   }
   return {names.begin(), names.end()};
 }
 
-std::vector<logs::Event> chosen(const std::vector<logs::Event>& events, const EventChoice& choice) {
+std::vector<logs::LogEvent> chosen(const std::vector<logs::LogEvent>& events, const EventChoice& choice) {
   ChannelFilter filter(choice, channels_of(events));
-  std::vector<logs::Event> taken;
-  for (const logs::Event& event : events) {
+  std::vector<logs::LogEvent> taken;
+  for (const logs::LogEvent& event : events) {
     const double after = logs::seconds_apart(events.front().utime, event.utime);
     if ((choice.from && after < *choice.from) || (choice.to && after >= *choice.to)) continue;
     if (filter.takes(event.channel)) taken.push_back(event);

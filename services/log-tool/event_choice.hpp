@@ -17,9 +17,9 @@ struct EventChoice {
   std::vector<std::string> without;   // taken out again
 };
 
-std::set<std::string> channels_of(const std::vector<logs::Event>& events);
+std::set<std::string> channels_of(const std::vector<logs::LogEvent>& events);
 
 // Those events, in their order. Throws std::invalid_argument for a pattern that is none.
-std::vector<logs::Event> chosen(const std::vector<logs::Event>& events, const EventChoice& choice);
+std::vector<logs::LogEvent> chosen(const std::vector<logs::LogEvent>& events, const EventChoice& choice);
 
 }  // namespace markservo::log_tool

@@ -40,32 +40,32 @@ class FileNames {
   std::set<std::string> used_;
 };
 
-DecodedMessage decoded(const logs::Event& event, const TypeCatalog& types) {
+DecodedMessage decoded(const logs::LogEvent& event, const TypeCatalog& types) {
   return reflection::decode(types, event.data.data, event.data.size);
 }
 
-std::uint64_t fingerprint_of(const logs::Event& event) {
+std::uint64_t fingerprint_of(const logs::LogEvent& event) {
   std::uint64_t fingerprint = 0;
   reflection::read_fingerprint(event.data.data, event.data.size, &fingerprint);
   return fingerprint;
 }
 
 // The first known type among them; null when there is none.
-const reflection::MessageType* type_of(const std::vector<logs::Event>& messages, const TypeCatalog& types) {
-  for (const logs::Event& message : messages) {
+const reflection::MessageType* type_of(const std::vector<logs::LogEvent>& messages, const TypeCatalog& types) {
+  for (const logs::LogEvent& message : messages) {
     const reflection::MessageType* type = types.find(fingerprint_of(message));
     if (type != nullptr) return type;
   }
   return nullptr;
 }
 
-std::string write_table(const std::string& path, const std::vector<logs::Event>& events, const TypeCatalog& types) {
+std::string write_table(const std::string& path, const std::vector<logs::LogEvent>& events, const TypeCatalog& types) {
   CsvColumns columns;
-  for (const logs::Event& event : events) columns.learn(reflection::leaves(decoded(event, types).fields));
+  for (const logs::LogEvent& event : events) columns.learn(reflection::leaves(decoded(event, types).fields));
   std::ofstream table(path);
   table << columns.header();
   std::size_t left_out = 0;
-  for (const logs::Event& event : events) {
+  for (const logs::LogEvent& event : events) {
     DecodedMessage message = decoded(event, types);
     if (message.error.empty()) {
       leave_out_unknown(message.fields);
@@ -80,12 +80,12 @@ std::string write_table(const std::string& path, const std::vector<logs::Event>&
                      left_out > 0 ? fmt::format(", {} left out: they cannot be decoded", left_out) : "");
 }
 
-std::string write_pictures(const std::string& folder, const std::vector<logs::Event>& events,
+std::string write_pictures(const std::string& folder, const std::vector<logs::LogEvent>& events,
                            const TypeCatalog& types) {
   fs::create_directories(folder);
   int number = 0;
   int left_out = 0;
-  for (const logs::Event& event : events) {
+  for (const logs::LogEvent& event : events) {
     ++number;
     const DecodedMessage message = decoded(event, types);
     const FramePictures pictures =
@@ -107,9 +107,10 @@ std::string write_pictures(const std::string& folder, const std::vector<logs::Ev
 
 }  // namespace
 
-std::string export_events(const std::vector<logs::Event>& events, const std::string& folder, const TypeCatalog& types) {
-  std::map<std::string, std::vector<logs::Event>> channels;
-  for (const logs::Event& event : events) channels[std::string(event.channel)].push_back(event);
+std::string export_events(const std::vector<logs::LogEvent>& events, const std::string& folder,
+                          const TypeCatalog& types) {
+  std::map<std::string, std::vector<logs::LogEvent>> channels;
+  for (const logs::LogEvent& event : events) channels[std::string(event.channel)].push_back(event);
   std::string report;
   FileNames names;
   try {

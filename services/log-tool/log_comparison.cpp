@@ -56,14 +56,14 @@ class Comparer {
   Comparer(const reflection::TypeCatalog& catalog, const ComparisonParameters& parameters)
       : catalog_(catalog), parameters_(parameters) {}
 
-  LogComparison run(const std::vector<logs::Event>& recorded, const std::vector<logs::Event>& replayed) {
+  LogComparison run(const std::vector<logs::LogEvent>& recorded, const std::vector<logs::LogEvent>& replayed) {
     std::map<std::string, std::int64_t> begins;  // utime of each channel's first replayed message
-    for (const logs::Event& event : replayed)
+    for (const logs::LogEvent& event : replayed)
       begins.try_emplace(std::string(event.channel), message_utime(event, catalog_));
     std::map<std::string, std::int64_t> recorded_begins;
-    std::map<MessageKey, const logs::Event*> counterparts;
+    std::map<MessageKey, const logs::LogEvent*> counterparts;
     MessageKeys recorded_keys(catalog_);
-    for (const logs::Event& event : recorded) {
+    for (const logs::LogEvent& event : recorded) {
       const auto begin = begins.find(std::string(event.channel));
       if (begin == begins.end()) continue;
       const std::int64_t utime = message_utime(event, catalog_);
@@ -75,7 +75,7 @@ class Comparer {
       }
     }
     MessageKeys replayed_keys(catalog_);
-    for (const logs::Event& event : replayed) {
+    for (const logs::LogEvent& event : replayed) {
       const auto counterpart = counterparts.find(replayed_keys.next(event));
       ChannelComparison& channel = result_.channels[std::string(event.channel)];
       if (counterpart == counterparts.end()) {
@@ -93,7 +93,7 @@ class Comparer {
   }
 
  private:
-  void compare(const logs::Event& recorded, const logs::Event& replayed, ChannelComparison& channel) {
+  void compare(const logs::LogEvent& recorded, const logs::LogEvent& replayed, ChannelComparison& channel) {
     const auto old_message = reflection::decode(catalog_, recorded.data.data, recorded.data.size);
     const auto new_message = reflection::decode(catalog_, replayed.data.data, replayed.data.size);
     if (!old_message.error.empty() || !new_message.error.empty()) {
@@ -125,7 +125,7 @@ class Comparer {
     ++(beyond ? channel.different : largest > 0.0 ? channel.within : channel.equal);
   }
 
-  FieldDifference difference(const logs::Event& event, const std::string& field, const std::string& recorded,
+  FieldDifference difference(const logs::LogEvent& event, const std::string& field, const std::string& recorded,
                              const std::string& replayed) const {
     return {std::string(event.channel), message_utime(event, catalog_), field, recorded, replayed};
   }
@@ -151,7 +151,7 @@ bool LogComparison::complete() const {
          std::all_of(channels.begin(), channels.end(), [](const auto& entry) { return entry.second.complete(); });
 }
 
-LogComparison compare(const std::vector<logs::Event>& recorded, const std::vector<logs::Event>& replayed,
+LogComparison compare(const std::vector<logs::LogEvent>& recorded, const std::vector<logs::LogEvent>& replayed,
                       const reflection::TypeCatalog& catalog, const ComparisonParameters& parameters) {
   return Comparer(catalog, parameters).run(recorded, replayed);
 }

@@ -53,7 +53,7 @@ struct LogComparison {
   bool complete() const;
 };
 
-LogComparison compare(const std::vector<logs::Event>& recorded, const std::vector<logs::Event>& replayed,
+LogComparison compare(const std::vector<logs::LogEvent>& recorded, const std::vector<logs::LogEvent>& replayed,
                       const reflection::TypeCatalog& catalog, const ComparisonParameters& parameters);
 
 }  // namespace markservo::log_tool

@@ -22,9 +22,9 @@ struct Span {
   std::int64_t last = 0;
 };
 
-Span span_of(const std::vector<logs::Event>& events) {
+Span span_of(const std::vector<logs::LogEvent>& events) {
   const auto [first, last] = std::minmax_element(
-      events.begin(), events.end(), [](const logs::Event& a, const logs::Event& b) { return a.utime < b.utime; });
+      events.begin(), events.end(), [](const logs::LogEvent& a, const logs::LogEvent& b) { return a.utime < b.utime; });
   return {first->utime, last->utime};
 }
 
@@ -34,7 +34,7 @@ std::int64_t messages_twice(const std::vector<MergeInput>& inputs) {
   std::int64_t twice = 0;
   for (std::size_t input = 0; input < inputs.size(); ++input) {
     std::unordered_map<std::size_t, std::int64_t> here;
-    for (const logs::Event& event : inputs[input].events) {
+    for (const logs::LogEvent& event : inputs[input].events) {
       if (event.channel == kLcmSelfTest) continue;
       const std::hash<std::string_view> hash;
       const std::size_t content = hash(event.channel) * 31 + hash(event.data.text());
@@ -51,7 +51,7 @@ std::int64_t messages_of_smallest(const std::vector<MergeInput>& inputs) {
   std::int64_t smallest = std::numeric_limits<std::int64_t>::max();
   for (const MergeInput& input : inputs) {
     const auto messages = std::count_if(input.events.begin(), input.events.end(),
-                                        [](const logs::Event& event) { return event.channel != kLcmSelfTest; });
+                                        [](const logs::LogEvent& event) { return event.channel != kLcmSelfTest; });
     if (messages > 0) smallest = std::min<std::int64_t>(smallest, messages);
   }
   return smallest;
@@ -62,7 +62,7 @@ std::int64_t messages_of_smallest(const std::vector<MergeInput>& inputs) {
 Merge merged(const std::vector<MergeInput>& inputs) {
   Merge merge;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const std::vector<logs::Event>& events = inputs[i].events;
+    const std::vector<logs::LogEvent>& events = inputs[i].events;
     merge.late += time_steps(events).late;
     merge.events.insert(merge.events.end(), events.begin(), events.end());
     if (i == 0 || events.empty() || inputs[i - 1].events.empty()) continue;

@@ -10,12 +10,12 @@ namespace markservo::log_tool {
 // One of the logs that are merged.
 struct MergeInput {
   std::string name;
-  std::vector<logs::Event> events;
+  std::vector<logs::LogEvent> events;
 };
 
 struct Merge {
-  std::vector<logs::Event> events;  // of all inputs, by time; of one time in the inputs' order
-  std::int64_t late = 0;            // events that were out of order within their input
+  std::vector<logs::LogEvent> events;  // of all inputs, by time; of one time in the inputs' order
+  std::int64_t late = 0;               // events that were out of order within their input
   std::int64_t twice = 0;  // messages of one channel and content that another input has too, liblcm's own apart
   std::vector<std::string> remarks;  // what may be wrong with it, a line each
 };

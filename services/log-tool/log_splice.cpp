@@ -10,9 +10,10 @@
 
 namespace markservo::log_tool {
 
-std::vector<logs::Event> spliced(const std::vector<logs::Event>& recorded, const std::vector<logs::Event>& derived) {
+std::vector<logs::LogEvent> spliced(const std::vector<logs::LogEvent>& recorded,
+                                    const std::vector<logs::LogEvent>& derived) {
   std::set<std::string, std::less<>> replaced;
-  for (const logs::Event& event : derived) replaced.emplace(event.channel);
+  for (const logs::LogEvent& event : derived) replaced.emplace(event.channel);
 
   std::map<MessageKey, std::size_t> places;
   std::map<std::int64_t, std::size_t> last_with_utime;
@@ -26,10 +27,10 @@ std::vector<logs::Event> spliced(const std::vector<logs::Event>& recorded, const
   }
 
   // (place in the recorded log, derived event), in the derived log's own order.
-  std::vector<std::pair<std::size_t, const logs::Event*>> insertions;
+  std::vector<std::pair<std::size_t, const logs::LogEvent*>> insertions;
   MessageKeys derived_keys;
   std::size_t place = 0;
-  for (const logs::Event& event : derived) {
+  for (const logs::LogEvent& event : derived) {
     const auto counterpart = places.find(derived_keys.next(event));
     if (counterpart != places.end()) {
       place = std::max(place, counterpart->second);
@@ -39,13 +40,13 @@ std::vector<logs::Event> spliced(const std::vector<logs::Event>& recorded, const
     insertions.emplace_back(place, &event);
   }
 
-  std::vector<logs::Event> result;
+  std::vector<logs::LogEvent> result;
   result.reserve(recorded.size() + derived.size());
   auto insertion = insertions.begin();
   for (std::size_t i = 0; i < recorded.size(); ++i) {
     if (replaced.count(recorded[i].channel) == 0) result.push_back(recorded[i]);
     for (; insertion != insertions.end() && insertion->first == i; ++insertion) {
-      logs::Event event = *insertion->second;
+      logs::LogEvent event = *insertion->second;
       event.utime = recorded[i].utime;
       result.push_back(event);
     }

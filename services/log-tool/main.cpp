@@ -72,7 +72,7 @@ int verify(const Options& options) {
 int repair(const Options& options) {
   const TypeCatalog known = types_with(options.types);
   const logs::LogSet logs = open_logs({options.input}, known);
-  const std::vector<logs::Event> events = logs.events();
+  const std::vector<logs::LogEvent> events = logs.events();
   logs::write_log(options.output, events);
   std::size_t lost = 0;
   for (const auto& file : logs.files()) {
@@ -85,7 +85,7 @@ int repair(const Options& options) {
 
 int cut(const Options& options) {
   const logs::LogSet logs = open_logs({options.input});
-  const std::vector<logs::Event> events = chosen(logs.events(), options.choice);
+  const std::vector<logs::LogEvent> events = chosen(logs.events(), options.choice);
   if (events.empty())
     throw logs::LogFileError(options.input + ": no event is chosen; allowed: times and channels it has");
   logs::write_log(options.output, events);
@@ -137,8 +137,8 @@ int compare_logs(const Options& options) {
   const TypeCatalog known = types_with(options.types);
   const logs::LogSet recorded = open_logs({options.input}, known);
   const logs::LogSet replayed = open_logs({options.other}, known);
-  const std::vector<logs::Event> before = recorded.events();
-  const std::vector<logs::Event> now = replayed.events();
+  const std::vector<logs::LogEvent> before = recorded.events();
+  const std::vector<logs::LogEvent> now = replayed.events();
   if (options.exact) {
     const std::string mismatch = first_mismatch(before, now);
     print(mismatch.empty() ? "the same " + std::to_string(now.size()) + " events\n" : mismatch + "\n");

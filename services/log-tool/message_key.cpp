@@ -14,7 +14,7 @@ bool begins_with_an_integer(const reflection::MessageType& type) {
 
 }  // namespace
 
-std::int64_t message_utime(const logs::Event& event, const reflection::TypeCatalog& types) {
+std::int64_t message_utime(const logs::LogEvent& event, const reflection::TypeCatalog& types) {
   constexpr std::size_t kFingerprintSize = 8;
   std::uint64_t utime = 0;
   if (event.data.size < kFingerprintSize ||
@@ -27,7 +27,7 @@ std::int64_t message_utime(const logs::Event& event, const reflection::TypeCatal
   return type == nullptr || begins_with_an_integer(*type) ? static_cast<std::int64_t>(utime) : 0;
 }
 
-MessageKey MessageKeys::next(const logs::Event& event) {
+MessageKey MessageKeys::next(const logs::LogEvent& event) {
   const std::pair<std::string, std::int64_t> place(event.channel, message_utime(event, types_));
   return {place.first, place.second, seen_[place]++};
 }

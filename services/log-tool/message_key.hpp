@@ -16,7 +16,7 @@ using MessageKey = std::tuple<std::string, std::int64_t, int>;
 
 // The utime of a message of ours, us; 0 where it has none. Of an unknown type what stands at that place, likely a time.
 // Of another system's that `types` has: its first field, if that is an int64_t.
-std::int64_t message_utime(const logs::Event& event,
+std::int64_t message_utime(const logs::LogEvent& event,
                            const reflection::TypeCatalog& types = reflection::TypeCatalog::ours());
 
 // Gives each message of one run its key; to be asked in the run's order.
@@ -24,7 +24,7 @@ class MessageKeys {
  public:
   explicit MessageKeys(const reflection::TypeCatalog& types = reflection::TypeCatalog::ours()) : types_(types) {}
 
-  MessageKey next(const logs::Event& event);
+  MessageKey next(const logs::LogEvent& event);
 
  private:
   const reflection::TypeCatalog& types_;

@@ -36,7 +36,7 @@ class MessageJudge {
       : wishes_(wishes), types_(types), moving_(moving_types(types)), names_others_(wishes.names_others()) {}
 
   // False notes in the plan why not.
-  bool lets_through(const std::string& channel, const logs::Event& event, PlayPlan& plan) const {
+  bool lets_through(const std::string& channel, const logs::LogEvent& event, PlayPlan& plan) const {
     std::uint64_t fingerprint = 0;
     const bool has_type = reflection::read_fingerprint(event.data.data, event.data.size, &fingerprint);
     if (!wishes_.all && has_type && moving_.count(fingerprint) > 0) {
@@ -110,12 +110,12 @@ Fate fate_of(const std::string& channel, const PlayWishes& wishes) {
   return Fate::kPlayed;
 }
 
-PlayPlan plan_of(const std::vector<logs::Event>& events, const PlayWishes& wishes, const reflection::TypeCatalog& types,
-                 const std::function<bool()>& goes_on) {
+PlayPlan plan_of(const std::vector<logs::LogEvent>& events, const PlayWishes& wishes,
+                 const reflection::TypeCatalog& types, const std::function<bool()>& goes_on) {
   const MessageJudge judge(wishes, types);
   PlayPlan plan;
   std::map<std::string, Fate, std::less<>> fates;
-  for (const logs::Event& event : events) {
+  for (const logs::LogEvent& event : events) {
     if (!goes_on()) break;
     auto known = fates.find(event.channel);
     if (known == fates.end()) {

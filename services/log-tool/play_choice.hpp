@@ -53,7 +53,7 @@ struct TooLarge {
 };
 
 struct PlayPlan {
-  std::vector<logs::Event> events;                    // what is played, in the log's order
+  std::vector<logs::LogEvent> events;                 // what is played, in the log's order
   std::map<Fate, std::vector<std::string>> left_out;  // channels by what became of them, kPlayed apart
   std::set<std::string> played;                       // channels
   // Messages left out on channels that are played.
@@ -65,7 +65,7 @@ struct PlayPlan {
 // `types` tells a message's type by its fingerprint. Every message is looked at, which takes minutes for a long log:
 // that is given up, and the plan holds what was seen until then, as soon as `goes_on` says no.
 PlayPlan plan_of(
-    const std::vector<logs::Event>& events, const PlayWishes& wishes, const reflection::TypeCatalog& types,
+    const std::vector<logs::LogEvent>& events, const PlayWishes& wishes, const reflection::TypeCatalog& types,
     const std::function<bool()>& goes_on = [] { return true; });
 
 // One line, without its end, for each kind of thing left out (kNotNamed apart), with the reason and what plays it;

@@ -63,7 +63,7 @@ class Player {
     if (!connection_.open()) throw bus::BusUnavailable("bus " + url + ": cannot be joined: " + connection_.trouble());
   }
 
-  void send(const logs::Event& event) {
+  void send(const logs::LogEvent& event) {
     const auto now = std::chrono::steady_clock::now();
     connection_.mend(now);
     const std::string channel(event.channel);
@@ -103,7 +103,7 @@ bool wait_until(std::int64_t due_us) {
   return !bus::told_to_end();
 }
 
-PlayWishes wishes_of(const PlayOptions& options, const std::vector<logs::Event>& events) {
+PlayWishes wishes_of(const PlayOptions& options, const std::vector<logs::LogEvent>& events) {
   PlayWishes wishes;
   if (!options.channels.empty()) wishes.channels = ChannelPattern(options.channels, channels_of(events));
   wishes.all = options.all;
@@ -130,7 +130,7 @@ double longest_gap_of(const PlayOptions& options) {
 // What a person should know before it begins: how long it takes, and when nothing will happen.
 void announce(const PlayPlan& plan, const PlayOptions& options) {
   TimeWalk walk(longest_gap_of(options));
-  for (const logs::Event& event : plan.events) walk.to(event.utime);
+  for (const logs::LogEvent& event : plan.events) walk.to(event.utime);
   const bool as_recorded = options.speed == 1.0;
   say("playing " + duration_text(walk.waited_s()) + " of " + std::to_string(plan.played.size()) + " channels to " +
       options.url + (as_recorded ? "" : ", in " + duration_text(walk.waited_s() / options.speed)));
@@ -144,7 +144,7 @@ void announce(const PlayPlan& plan, const PlayOptions& options) {
 }  // namespace
 
 bool play(const logs::LogSet& logs, const PlayOptions& options) {
-  std::vector<logs::Event> events = logs.events();
+  std::vector<logs::LogEvent> events = logs.events();
   if (options.sort) events = sorted_by_time(std::move(events));
   PlayWishes wishes = wishes_of(options, events);
   Player player(options.url);
@@ -163,7 +163,7 @@ bool play(const logs::LogSet& logs, const PlayOptions& options) {
   if (!options.join) refuse_a_second_writer(plan, wishes, options.url);
   announce(plan, options);
   PlaySchedule schedule(options.speed, longest_gap_of(options));
-  for (const logs::Event& event : plan.events) {
+  for (const logs::LogEvent& event : plan.events) {
     if (!wait_until(schedule.due_us(event.utime, steady_clock_us()))) break;
     player.send(event);
   }

@@ -17,7 +17,7 @@ const char* plural(std::int64_t count) {
 
 }  // namespace
 
-TimeSteps time_steps(const std::vector<logs::Event>& events) {
+TimeSteps time_steps(const std::vector<logs::LogEvent>& events) {
   TimeSteps steps;
   if (events.empty()) return steps;
   const std::int64_t first = events.front().utime;
@@ -40,9 +40,9 @@ TimeSteps time_steps(const std::vector<logs::Event>& events) {
   return steps;
 }
 
-std::vector<logs::Event> sorted_by_time(std::vector<logs::Event> events) {
+std::vector<logs::LogEvent> sorted_by_time(std::vector<logs::LogEvent> events) {
   std::stable_sort(events.begin(), events.end(),
-                   [](const logs::Event& a, const logs::Event& b) { return a.utime < b.utime; });
+                   [](const logs::LogEvent& a, const logs::LogEvent& b) { return a.utime < b.utime; });
   for (std::size_t i = 0; i < events.size(); ++i) events[i].number = static_cast<std::int64_t>(i);
   return events;
 }

@@ -28,10 +28,10 @@ struct TimeSteps {
   std::vector<Silence> silences;  // above kSilence_s, without the jumps, in the log's order
 };
 
-TimeSteps time_steps(const std::vector<logs::Event>& events);
+TimeSteps time_steps(const std::vector<logs::LogEvent>& events);
 
 // By time; of one time in the order that they had. Numbered anew.
-std::vector<logs::Event> sorted_by_time(std::vector<logs::Event> events);
+std::vector<logs::LogEvent> sorted_by_time(std::vector<logs::LogEvent> events);
 
 // "3.5 ms" below 0.1 s, "12.3 s", above two minutes "3.5 min"; "2.1 h", "40 days".
 std::string duration_text(double seconds);

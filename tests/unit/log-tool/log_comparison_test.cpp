@@ -105,7 +105,7 @@ TEST(Splice, PutsDerivedMessagesWhereTheRecordedOnesStood) {
   const std::vector<logs::OwnedEvent> derived = {pose(1, 0.7), pose(2, 0.7), pose(3, 0.7)};
   const std::vector<logs::OwnedEvent> wanted = {input(1), pose(1, 0.7), input(2), pose(2, 0.7),
                                                 input(3), pose(3, 0.7), input(4)};
-  const std::vector<logs::Event> got = spliced(logs::views(recorded), logs::views(derived));
+  const std::vector<logs::LogEvent> got = spliced(logs::views(recorded), logs::views(derived));
   EXPECT_EQ(first_mismatch(got, logs::views(wanted)), "");
   for (std::size_t i = 0; i < got.size(); ++i) EXPECT_EQ(got[i].number, static_cast<std::int64_t>(i));
 }

@@ -74,7 +74,7 @@ TEST(EventChoice, TakesATimeSpanAndChannelsByTheirWholeName) {
       {0, 1'000'000, "A", "0"}, {1, 1'500'000, "AB", "1"}, {2, 2'000'000, "r/A", "2"}, {3, 2'500'000, "A", "3"}};
   const auto numbers = [&events](const EventChoice& choice) {
     std::string text;
-    for (const logs::Event& event : chosen(logs::views(events), choice)) text += std::to_string(event.number);
+    for (const logs::LogEvent& event : chosen(logs::views(events), choice)) text += std::to_string(event.number);
     return text;
   };
   EXPECT_EQ(numbers({}), "0123");

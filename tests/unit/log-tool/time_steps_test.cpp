@@ -26,9 +26,9 @@ TimeSteps steps_of(const std::vector<std::int64_t>& utimes) {
   return time_steps(logs::views(events));
 }
 
-std::vector<std::int64_t> utimes_of(const std::vector<logs::Event>& events) {
+std::vector<std::int64_t> utimes_of(const std::vector<logs::LogEvent>& events) {
   std::vector<std::int64_t> utimes;
-  for (const logs::Event& event : events) utimes.push_back(event.utime);
+  for (const logs::LogEvent& event : events) utimes.push_back(event.utime);
   return utimes;
 }
 

@@ -20,7 +20,7 @@ struct OwnedEvent {
   std::string channel;
   std::string data;
 
-  Event view() const {
+  LogEvent view() const {
     return {number, utime, channel, {reinterpret_cast<const std::uint8_t*>(data.data()), data.size()}};
   }
   bool operator==(const OwnedEvent& other) const {
@@ -56,8 +56,8 @@ inline std::string log_bytes(const std::vector<OwnedEvent>& events) {
   return bytes;
 }
 
-inline std::vector<Event> views(const std::vector<OwnedEvent>& events) {
-  std::vector<Event> all;
+inline std::vector<LogEvent> views(const std::vector<OwnedEvent>& events) {
+  std::vector<LogEvent> all;
   for (const OwnedEvent& event : events) all.push_back(event.view());
   return all;
 }

@@ -15,13 +15,13 @@
 namespace markservo::logs {
 namespace {
 
-OwnedEvent owned(const Event& event) {
+OwnedEvent owned(const LogEvent& event) {
   return {event.number, event.utime, std::string(event.channel), std::string(event.data.text())};
 }
 
 std::vector<OwnedEvent> scanned(const std::string& bytes) {
   std::vector<OwnedEvent> events;
-  for (const Event& event : scan(view_of(bytes), fit_of(reflection::TypeCatalog::ours())).events)
+  for (const LogEvent& event : scan(view_of(bytes), fit_of(reflection::TypeCatalog::ours())).events)
     events.push_back(owned(event));
   return events;
 }
