@@ -66,7 +66,7 @@ nlohmann::ordered_json check_of_the_bound() {
     mark.p_C = scenes::point_at(camera, 400.3, 240.6, camera.fx * mark.size / width_px);
     mark.around = {60.0, 60.0, 60.0};
     mark.colour = {60.0, 60.0, 160.0};
-    mark.blur_px = std::sqrt(0.36 - 1.0 / 12.0);  // the pixel's square makes up the rest
+    mark.blur_px = scenes::lens_blur(0.6);
     constexpr double kSigma = 3.0;
     const double sigma = scenes::least_disparity_sigma(mark, camera, kSigma);
     std::printf("  %.0f px: %.4f px", width_px, sigma);

@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <opencv2/imgcodecs.hpp>
 #include <random>
 
 #include "common/geometry/plane_pose.hpp"
@@ -41,7 +43,6 @@ robot::MarkDescription description_of(const PlainMark& mark, int channel) {
   description.size = mark.size;
   if (mark.form == PlainForm::kBall) description.surface = robot::MarkSurface::kBall;
   if (mark.form == PlainForm::kDisc) description.outline = robot::MarkOutline::kDisc;
-  if (mark.form == PlainForm::kTriangle) description.outline = robot::MarkOutline::kOther;
   const double hue = channel == 2 ? 0.0 : (channel == 1 ? 120.0 : 240.0);
   description.colour.hue_min_deg = std::fmod(hue + 330.0, 360.0);
   description.colour.hue_max_deg = std::fmod(hue + 30.0, 360.0);
@@ -61,21 +62,30 @@ PlainMark draw_mark(const PlainCase& what, Random& random) {
   const double u = random.between(disparity + room, kWidth - room);
   const double v = random.between(room, kHeight - room);
   mark.p_C = point_at(eyes, u, v, depth);
-  if (what.slant_deg > 0.0 && what.form != PlainForm::kBall) {
-    const double direction = random.between(0.0, 2.0 * M_PI);
-    const Eigen::Vector3d axis(std::cos(direction), 0.0, std::sin(direction));
-    mark.axes = (Eigen::AngleAxisd(geometry::radians(what.slant_deg), axis) *
-                 Eigen::AngleAxisd(geometry::radians(random.between(-8.0, 8.0)), Eigen::Vector3d::UnitY()))
-                    .toRotationMatrix();
-  }
+  if (what.form == PlainForm::kBall) return mark;
+  constexpr double kQuarterTurn_deg = 90.0;  // beyond it a square looks the same again
+  const double direction = random.between(0.0, 2.0 * M_PI);
+  const Eigen::Vector3d axis(std::cos(direction), 0.0, std::sin(direction));
+  const double roll = geometry::radians(random.between(0.0, kQuarterTurn_deg));
+  mark.axes =
+      (Eigen::AngleAxisd(geometry::radians(what.slant_deg), axis) * Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitY()))
+          .toRotationMatrix();
   return mark;
 }
 
-void locate(const PlainMark& mark, const robot::MarkDescription& description, double sigma, cv::RNG& noise,
-            PlainDraw& draw) {
+cv::Mat frame_of(const PlainMark& mark, bool right, const PlainDrawParameters& parameters, cv::RNG& noise) {
+  cv::Mat frame = expose(picture_of(mark, Eye(camera(), right), {kWidth, kHeight}), parameters.sigma, noise);
+  if (parameters.jpeg_quality == 0) return frame;
+  std::vector<std::uint8_t> packed;
+  cv::imencode(".jpg", frame, packed, {cv::IMWRITE_JPEG_QUALITY, parameters.jpeg_quality});
+  return cv::imdecode(packed, cv::IMREAD_COLOR);
+}
+
+void locate(const PlainMark& mark, const robot::MarkDescription& description, const PlainDrawParameters& parameters,
+            cv::RNG& noise, PlainDraw& draw) {
   const geometry::StereoCamera eyes = camera();
-  const cv::Mat left = expose(picture_of(mark, Eye(eyes, false), {kWidth, kHeight}), sigma, noise);
-  const cv::Mat right = expose(picture_of(mark, Eye(eyes, true), {kWidth, kHeight}), sigma, noise);
+  const cv::Mat left = frame_of(mark, false, parameters, noise);
+  const cv::Mat right = frame_of(mark, true, parameters, noise);
   mark_detector::Input input;
   input.left = view_of(left);
   input.right = view_of(right);
@@ -130,11 +140,12 @@ std::vector<PlainDraw> draw_plain_marks(const PlainCase& what, int count, unsign
     Random random(draw.seed);
     PlainMark mark = draw_mark(what, random);
     draw.contrast = random.between(parameters.contrast_min, parameters.contrast_max);
-    draw.blur_px = mark.blur_px = random.between(parameters.blur_min_px, parameters.blur_max_px);
+    draw.blur_px = random.between(parameters.blur_min_px, parameters.blur_max_px);
+    mark.blur_px = lens_blur(draw.blur_px);
     const int channel = k % 3;
     colour(mark, channel, random.between(110.0, 145.0), draw.contrast);
     cv::RNG noise(draw.seed + 1U);
-    locate(mark, description_of(mark, channel), parameters.sigma, noise, draw);
+    locate(mark, description_of(mark, channel), parameters, noise, draw);
     draw.least_rms = std::sqrt(least_covariance(mark, camera(), parameters.sigma).trace());
     if (draw.located()) {
       draw.error = draw.location.p_C - mark.p_C;

@@ -16,26 +16,27 @@ namespace markservo::scenes {
 struct PlainCase {
   PlainForm form = PlainForm::kSquare;
   double width_px = 60.0;  // of the mark in the image, where it faces the cameras
-  double slant_deg = 0.0;  // of its normal from the line of sight's; of no meaning for a ball
+  double slant_deg = 0.0;  // of its normal from the cameras' axis; of no meaning for a ball
 
   std::string name() const;
 };
 
-// All that are measured: three sizes, facing and slanted, squares and discs; balls.
+// All that are measured: three sizes, facing and slanted, squares (turned in their plane any way) and discs; balls.
 std::vector<PlainCase> plain_cases();
 
 struct PlainDrawParameters {
   double sigma = 3.0;          // grey levels of noise in each channel
   double contrast_min = 60.0;  // grey levels: length of the difference of the two colours' B, G, R
   double contrast_max = 150.0;
-  double blur_min_px = 0.5;
+  double blur_min_px = 0.5;  // sigma of lens and pixel together
   double blur_max_px = 1.0;
+  int jpeg_quality = 0;  // 1 to 100, as the frames on the bus may be packed; 0: not at all
 };
 
 struct PlainDraw {
   unsigned seed = 0;
   double contrast = 0.0;  // grey levels
-  double blur_px = 0.0;
+  double blur_px = 0.0;   // sigma of lens and pixel together
   bool detected = false;  // in both views
   target_locator::Location location;
   Eigen::Vector3d error = Eigen::Vector3d::Zero();  // m; valid when located

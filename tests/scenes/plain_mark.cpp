@@ -114,6 +114,11 @@ void add_information(const PlainMark& mark, const Eye& eye, const std::vector<in
 
 }  // namespace
 
+double lens_blur(double total_px) {
+  constexpr double kOfPixel_2 = 1.0 / 12.0;  // px^2, variance of its square
+  return std::sqrt(total_px * total_px - kOfPixel_2);
+}
+
 std::vector<cv::Point2d> contour_of(const PlainMark& mark, const Eye& eye) {
   switch (mark.form) {
     case PlainForm::kSquare:

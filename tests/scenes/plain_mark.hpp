@@ -22,6 +22,9 @@ struct PlainMark {
   double blur_px = 0.6;                                // sigma of the lens, the pixel's square not counted
 };
 
+// The lens's blur (sigma, px) where lens and pixel together blur by `total_px`, above the pixel's own sqrt(1 / 12).
+double lens_blur(double total_px);
+
 // The mark's contour as a camera sees it: a polygon, px.
 std::vector<cv::Point2d> contour_of(const PlainMark& mark, const Eye& eye);
 

@@ -16,7 +16,7 @@ PlainMark square_of(double width_px) {
   mark.p_C = point_at(kCamera, 400.3, 240.6, kCamera.fx * mark.size / width_px);
   mark.around = {60.0, 60.0, 60.0};
   mark.colour = {60.0, 60.0, 160.0};
-  mark.blur_px = std::sqrt(0.36 - 1.0 / 12.0);
+  mark.blur_px = lens_blur(0.6);
   return mark;
 }
 
