@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "services/target-locator/contour/chance.hpp"
 #include "services/target-locator/contour/contour_pixels.hpp"
 #include "services/target-locator/contour/ellipse_contour.hpp"
 #include "services/target-locator/contour/quad_contour.hpp"
@@ -153,11 +154,10 @@ class ContourProblem {
 
   // After iterate().
   std::optional<FittedContour<Shape>> result() const {
-    FittedContour<Shape> fitted{shape_, {}, blur_, 0.0, 1.0};
+    FittedContour<Shape> fitted{shape_, {}, blur_, 1.0};
     const double unknowns = static_cast<double>(information_.rows());
     if (!(totals_.count > 2.0 * unknowns)) return std::nullopt;
     const double variance = std::max(totals_.squares / (totals_.count - unknowns), std::pow(parameters_.min_noise, 2));
-    fitted.noise = std::sqrt(variance);
     double chi_square = 0.0;
     double n = -static_cast<double>(Shape::kSize);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -166,9 +166,7 @@ class ContourProblem {
       n += 1.0;
     }
     if (!(n >= 2.0)) return std::nullopt;
-    // Up to what chance explains (99% of draws) the noise stands.
-    const double explained = 1.0 + 2.33 * std::sqrt(2.0 / n);
-    fitted.roughness = std::max(1.0, chi_square / n / explained);
+    fitted.roughness = std::max(1.0, chi_square / n / explained_by_chance(n));
     const Eigen::MatrixXd inverse = solver_.solve(Eigen::MatrixXd::Identity(information_.rows(), information_.rows()));
     fitted.covariance = fitted.roughness * variance * inverse.template topLeftCorner<Shape::kSize, Shape::kSize>();
     if (!fitted.covariance.allFinite()) return std::nullopt;

@@ -40,8 +40,7 @@ struct FittedContour {
   Shape shape;
   Eigen::Matrix<double, Shape::kSize, Shape::kSize> covariance;  // of the shape's parameters, patch px
   double blur = 0.0;                                             // patch px, sigma
-  double noise = 0.0;                                            // of a pixel, 1 being the contrast
-  double roughness = 1.0;  // variance of the outline's place over what the noise explains
+  double roughness = 1.0;                                        // variance of the outline's place over what the noise explains
 };
 
 // Fits `start`, which is within a pixel or so. `contrast` is 1 in the mark and 0 around it (mark_contrast). Nothing

@@ -24,7 +24,6 @@ std::optional<OutlineEstimate> locate_any_shape(const MarkObservation& observati
   estimate.p_C = centre->p_C;
   estimate.covariance = centre->covariance;
   estimate.normal_C = plane_normal(plane, camera);
-  estimate.misfit = centre->misfit;
   const Eigen::Vector2d& at = left->position;
   estimate.matches.push_back({at.x(), at.y(), at.x() - plane.at(at.x(), at.y()), at.y() + alignment->row_offset, 0.0});
   return estimate;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "services/target-locator/contour/chance.hpp"
 #include "services/target-locator/contour/least_squares.hpp"
 
 namespace markservo::target_locator {
@@ -37,10 +38,6 @@ VectorXd plane_steps(Index shape, double extent, double shape_step) {
   return step;
 }
 
-MatrixXd inverse_of(const MatrixXd& covariance) {
-  return covariance.ldlt().solve(MatrixXd::Identity(covariance.rows(), covariance.cols()));
-}
-
 // An outline on a plane: how the right view's values come of the left one's.
 struct PlaneModel {
   std::function<VectorXd(const VectorXd& left, const PlaneUnknowns& unknowns)> right_of;
@@ -52,32 +49,11 @@ std::optional<LeastSquaresSolution> solve_on_plane(const SharedOutlineInput& inp
                                                    const Eigen::Vector3d& plane_start, double shape_step,
                                                    const SharedOutlineParameters& parameters) {
   const Index n = input.left.values.size();
-  const Index of_texture = input.texture ? 3 : 0;
-  const Index rows = 2 * n + 1 + of_texture;
-  LeastSquaresProblem problem;
-  problem.measured = VectorXd::Zero(rows);
-  problem.measured.head(n) = input.left.values;
-  problem.measured.segment(n, n) = input.right.values;
-  problem.information = MatrixXd::Zero(rows, rows);
-  problem.information.topLeftCorner(n, n) = inverse_of(input.left.covariance);
-  problem.information.block(n, n, n, n) = inverse_of(input.right.covariance);
-  problem.information(2 * n, 2 * n) = 1.0 / std::pow(parameters.row_offset_sigma, 2);
-  if (input.texture) {
-    const DisparityPlane& plane = input.texture->plane;
-    problem.measured.tail<3>() << plane.at_centre, plane.along_u, plane.along_v;
-    problem.information.bottomRightCorner<3, 3>() = input.texture->covariance.inverse();
-  }
-  problem.predict = [&, n, rows](const VectorXd& unknowns) -> std::optional<VectorXd> {
+  LeastSquaresProblem problem = measured_by(input, parameters.row_offset_sigma);
+  problem.predict = [&, n](const VectorXd& unknowns) -> std::optional<VectorXd> {
     const PlaneUnknowns on_plane(unknowns, model.about);
-    VectorXd predicted(rows);
-    predicted.head(n) = unknowns.head(n);
-    predicted.segment(n, n) = model.right_of(unknowns.head(n), on_plane);
-    predicted[2 * n] = on_plane.row_offset;
-    if (input.texture) {
-      const DisparityPlane& texture = input.texture->plane;
-      predicted.tail<3>() << on_plane.plane.at(texture.u0, texture.v0), on_plane.plane.along_u, on_plane.plane.along_v;
-    }
-    return predicted;
+    const VectorXd left = unknowns.head(n);
+    return stacked({left, model.right_of(left, on_plane), on_plane.row_offset, on_plane.plane}, input.texture);
   };
   problem.start = VectorXd::Zero(n + kPlane);
   problem.start.head(n) = input.left.values;
@@ -126,64 +102,14 @@ Match match_of(const Vector2d& left, const PlaneUnknowns& on_plane) {
 std::optional<OutlineEstimate> estimate_of(const LeastSquaresSolution& solution,
                                            const std::optional<Propagated>& centre,
                                            const SharedOutlineParameters& parameters) {
-  if (!centre || !(solution.misfit() <= parameters.max_misfit)) return std::nullopt;
+  if (!centre) return std::nullopt;
+  const double excess = solution.misfit() / explained_by_chance(solution.degrees_of_freedom);
+  if (!(excess <= parameters.max_excess)) return std::nullopt;
   OutlineEstimate estimate;
-  estimate.misfit = solution.misfit();
   estimate.p_C = centre->value;
-  estimate.covariance = centre->covariance * std::max(1.0, solution.misfit() / parameters.explained_misfit);
+  estimate.covariance = centre->covariance * std::max(1.0, excess);
   return estimate;
 }
-
-OutlineInView with_floor(OutlineInView view, Index points, double floor_px) {
-  for (Index i = 0; i < points; ++i) {
-    for (Index k = 0; k < points; ++k) {
-      view.covariance(2 * i, 2 * k) += floor_px * floor_px;
-      view.covariance(2 * i + 1, 2 * k + 1) += floor_px * floor_px;
-    }
-  }
-  return view;
-}
-
-// Corners.
-
-Vector2d corner(const VectorXd& values, Index k) {
-  return values.segment<2>(2 * (k % 4));
-}
-
-std::optional<std::array<Vector3d, 4>> corners_in_space(const VectorXd& unknowns, const Vector2d& about,
-                                                        const geometry::StereoCamera& camera) {
-  const PlaneUnknowns on_plane(unknowns, about);
-  std::array<Vector3d, 4> corners;
-  for (Index k = 0; k < 4; ++k) {
-    const auto p_C = on_plane_in_space(corner(unknowns, k), on_plane.plane, camera);
-    if (!p_C) return std::nullopt;
-    corners[static_cast<std::size_t>(k)] = *p_C;
-  }
-  return corners;
-}
-
-// Sides over their mean and one diagonal over the other.
-std::optional<VectorXd> square_ratios(const VectorXd& unknowns, const Vector2d& about,
-                                      const geometry::StereoCamera& camera) {
-  const auto c = corners_in_space(unknowns, about, camera);
-  if (!c) return std::nullopt;
-  VectorXd ratios(5);
-  for (std::size_t k = 0; k < 4; ++k) ratios[static_cast<Index>(k)] = ((*c)[(k + 1) % 4] - (*c)[k]).norm();
-  ratios.head<4>() /= ratios.head<4>().mean();
-  ratios[4] = ((*c)[2] - (*c)[0]).norm() / ((*c)[3] - (*c)[1]).norm();
-  return ratios;
-}
-
-VectorXd right_corners(const VectorXd& left, const PlaneUnknowns& on_plane) {
-  VectorXd right(8);
-  for (Index k = 0; k < 4; ++k) {
-    const Vector2d at = corner(left, k);
-    right.segment<2>(2 * k) << at.x() - on_plane.plane.at(at.x(), at.y()), at.y() + on_plane.row_offset;
-  }
-  return right;
-}
-
-// Ellipses.
 
 Eigen::Matrix2d shape_of(const VectorXd& values) {
   Eigen::Matrix2d shape;
@@ -257,36 +183,6 @@ std::optional<VectorXd> image_of_ball(const Vector3d& p_C, double radius, const 
 
 }  // namespace
 
-std::optional<OutlineEstimate> square_from_outlines(const SharedOutlineInput& given,
-                                                    const SharedOutlineParameters& parameters) {
-  const SharedOutlineInput input{with_floor(given.left, 4, parameters.floor_px),
-                                 with_floor(given.right, 4, parameters.floor_px), given.camera, given.texture};
-  Vector2d about = Vector2d::Zero();
-  double disparity = 0.0;
-  for (Index k = 0; k < 4; ++k) {
-    about += 0.25 * corner(input.left.values, k);
-    disparity += 0.25 * (corner(input.left.values, k).x() - corner(input.right.values, k).x());
-  }
-  const double extent = (corner(input.left.values, 2) - corner(input.left.values, 0)).norm();
-  const PlaneModel model{right_corners, about, extent};
-  const auto solution = solve_on_plane(input, model, {disparity, 0.0, 0.0}, kStep_px, parameters);
-  if (!solution) return std::nullopt;
-  const VectorXd step = plane_steps(8, extent, kStep_px);
-  const VectorFunction ratios = [&](const VectorXd& unknowns) { return square_ratios(unknowns, about, input.camera); };
-  if (!is_regular(propagate(ratios, *solution, step), parameters)) return std::nullopt;
-  const VectorFunction centre = [&](const VectorXd& unknowns) -> std::optional<VectorXd> {
-    const auto c = corners_in_space(unknowns, about, input.camera);
-    if (!c) return std::nullopt;
-    return VectorXd(0.25 * ((*c)[0] + (*c)[1] + (*c)[2] + (*c)[3]));
-  };
-  auto estimate = estimate_of(*solution, propagate(centre, *solution, step), parameters);
-  if (!estimate) return std::nullopt;
-  const PlaneUnknowns on_plane(solution->unknowns, about);
-  estimate->normal_C = plane_normal(on_plane.plane, input.camera);
-  for (Index k = 0; k < 4; ++k) estimate->matches.push_back(match_of(corner(solution->unknowns, k), on_plane));
-  return estimate;
-}
-
 std::optional<OutlineEstimate> disc_from_outlines(const SharedOutlineInput& given,
                                                   const SharedOutlineParameters& parameters) {
   const SharedOutlineInput input{with_floor(given.left, 1, parameters.floor_px),
@@ -324,13 +220,7 @@ std::optional<OutlineEstimate> ball_from_outlines(const SharedOutlineInput& give
   const auto start = geometry::triangulate(camera, {left.values[0], left.values[1], right.values[0]});
   if (!start) return std::nullopt;
   const double radius = std::sqrt(std::max(0.0, left.values[4])) * start->y() / camera.fy;
-  LeastSquaresProblem problem;
-  problem.measured = VectorXd::Zero(11);
-  problem.measured << left.values, right.values, 0.0;
-  problem.information = MatrixXd::Zero(11, 11);
-  problem.information.topLeftCorner<5, 5>() = inverse_of(left.covariance);
-  problem.information.block<5, 5>(5, 5) = inverse_of(right.covariance);
-  problem.information(10, 10) = 1.0 / std::pow(parameters.row_offset_sigma, 2);
+  LeastSquaresProblem problem = measured_by({left, right, camera, std::nullopt}, parameters.row_offset_sigma);
   problem.predict = [&](const VectorXd& unknowns) -> std::optional<VectorXd> {
     const Vector3d p_C = unknowns.head<3>();
     const auto of_left =
@@ -338,9 +228,7 @@ std::optional<OutlineEstimate> ball_from_outlines(const SharedOutlineInput& give
     const auto of_right = image_of_ball(p_C, unknowns[3], {camera.baseline, 0.0, 0.0}, camera.fx, camera.fy,
                                         camera.cx_right, camera.cy + unknowns[4]);
     if (!of_left || !of_right) return std::nullopt;
-    VectorXd predicted(11);
-    predicted << *of_left, *of_right, unknowns[4];
-    return predicted;
+    return stacked({*of_left, *of_right, unknowns[4], {}}, std::nullopt);
   };
   problem.start = VectorXd::Zero(5);
   problem.start << *start, radius, 0.0;
