@@ -158,15 +158,7 @@ class ContourProblem {
     const double unknowns = static_cast<double>(information_.rows());
     if (!(totals_.count > 2.0 * unknowns)) return std::nullopt;
     const double variance = std::max(totals_.squares / (totals_.count - unknowns), std::pow(parameters_.min_noise, 2));
-    double chi_square = 0.0;
-    double n = -static_cast<double>(Shape::kSize);
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      if (!about_.used[b] || !(blocks_[b].information > 0.0)) continue;
-      chi_square += blocks_[b].score * blocks_[b].score / (variance * blocks_[b].information);
-      n += 1.0;
-    }
-    if (!(n >= 2.0)) return std::nullopt;
-    fitted.roughness = std::max(1.0, chi_square / n / explained_by_chance(n));
+    fitted.roughness = roughness(variance);
     const Eigen::MatrixXd inverse = solver_.solve(Eigen::MatrixXd::Identity(information_.rows(), information_.rows()));
     fitted.covariance = fitted.roughness * variance * inverse.template topLeftCorner<Shape::kSize, Shape::kSize>();
     if (!fitted.covariance.allFinite()) return std::nullopt;
@@ -223,6 +215,7 @@ class ContourProblem {
     information_ = Eigen::MatrixXd::Zero(unknowns, unknowns);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
     blocks_.assign(about_.used.size(), {});
+    score_gradients_ = Eigen::MatrixXd::Zero(unknowns, static_cast<Eigen::Index>(blocks_.size()));
     totals_ = {};
     for (const ContourPixel& pixel : about_.pixels) add(pixel, right);
     // Levels of which the patch shows nothing stay as they are.
@@ -245,6 +238,10 @@ class ContourProblem {
     totals_.squares += residual * residual;
     totals_.count += 1.0;
     const SparseRow row = row_of(coverage, w, contrast);
+    const double by_move = contrast * BlurredEdge(coverage.distance, blur_).by_distance;
+    for (std::size_t i = 0; i < row.size; ++i) {
+      score_gradients_(row.index[i], static_cast<Eigen::Index>(pixel.block)) += row.derivative[i] * by_move;
+    }
     for (std::size_t i = 0; i < row.size; ++i) {
       right[row.index[i]] += row.derivative[i] * residual;
       for (std::size_t k = 0; k < row.size; ++k) {
@@ -289,6 +286,53 @@ class ContourProblem {
     block.beyond_count[side] += 1.0;
   }
 
+  // By how much more the outline's place scatters than independent pixels of that variance explain: the inverse of the
+  // share of them that counts. 1 where chance explains it.
+  double roughness(double variance) const {
+    const StretchSums single = sums_over_stretches(1);
+    if (!(single.left > 0.0)) return 1.0;
+    const double free_blocks = static_cast<double>(single.count) * single.left / single.information;
+    if (!(single.squares > explained_by_chance(free_blocks) * variance * single.left)) return 1.0;
+    const auto window = static_cast<std::size_t>(std::ceil(parameters_.correlated_px / parameters_.block_px));
+    const StretchSums sums = sums_over_stretches(window);
+    if (!(sums.left > 0.0)) return single.squares / (variance * single.left);
+    const double stretches = static_cast<double>(sums.count) / static_cast<double>(window);
+    // Of stretches that err as a whole it takes one for each of the shape's parameters.
+    constexpr double kLeastFree = 0.2;
+    const double free_of_whole = std::max(kLeastFree, 1.0 - Shape::kSize / stretches);
+    return std::max(1.0, sums.squares / (variance * sums.information * free_of_whole));
+  }
+
+  // Over stretches of `window` blocks each of the outline, of which all are used.
+  struct StretchSums {
+    std::size_t count = 0;
+    double squares = 0.0;      // of how far each would move the outline
+    double information = 0.0;  // what is expected of them, per variance of independent pixels, about the truth
+    double left = 0.0;         // and about the fit
+  };
+  StretchSums sums_over_stretches(std::size_t window) const {
+    StretchSums sums;
+    const std::size_t n = blocks_.size();
+    for (std::size_t first = 0; first < n; ++first) {
+      BlockSums stretch;
+      Eigen::VectorXd gradient = Eigen::VectorXd::Zero(information_.rows());
+      bool whole = true;
+      for (std::size_t k = first; k < first + window; ++k) {
+        const BlockSums& block = blocks_[k % n];
+        whole = whole && about_.used[k % n] && block.information > 0.0;
+        stretch.score += block.score;
+        stretch.information += block.information;
+        gradient += score_gradients_.col(static_cast<Eigen::Index>(k % n));
+      }
+      if (!whole) continue;
+      ++sums.count;
+      sums.squares += stretch.score * stretch.score;
+      sums.information += stretch.information;
+      sums.left += stretch.information - gradient.dot(solver_.solve(gradient));
+    }
+    return sums;
+  }
+
   // Of a pixel: the median over the blocks.
   double robust_variance() const {
     std::vector<double> variances;
@@ -311,6 +355,7 @@ class ContourProblem {
   Eigen::MatrixXd information_;  // lower half
   Eigen::LDLT<Eigen::MatrixXd> solver_;
   std::vector<BlockSums> blocks_;
+  Eigen::MatrixXd score_gradients_;  // how each block's score falls with the unknowns
   Totals totals_;
 };
 

@@ -24,6 +24,7 @@ struct ContourFitParameters {
   double min_blur = 0.15;         // patch px: below it the pixel's width hides what the lens does
   double max_blur = 3.0;          // patch px: beyond it an outline is out of focus
   double block_px = 6.0;          // patch px of outline that are judged together
+  double correlated_px = 22.0;    // of outline over which packed pixels err together: across a JPEG's block of colour
   double min_noise = 2e-3;        // of a pixel, 1 being the contrast: whole grey levels hide as much
   double varied_sigmas = 3.0;     // of a chi-square, beyond which the levels are taken to vary
   double outlier_sigmas = 4.5;    // of a block's place or noise, beyond it something may lie before the outline
@@ -40,7 +41,8 @@ struct FittedContour {
   Shape shape;
   Eigen::Matrix<double, Shape::kSize, Shape::kSize> covariance;  // of the shape's parameters, patch px
   double blur = 0.0;                                             // patch px, sigma
-  double roughness = 1.0;                                        // variance of the outline's place over what the noise explains
+  // Variance of the outline's place over what independent pixels explain; 1 where chance explains the rest.
+  double roughness = 1.0;
 };
 
 // Fits `start`, which is within a pixel or so. `contrast` is 1 in the mark and 0 around it (mark_contrast). Nothing

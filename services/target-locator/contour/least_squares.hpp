@@ -20,8 +20,6 @@ struct LeastSquaresSolution {
   Eigen::MatrixXd covariance;
   double chi_square = 0.0;
   double degrees_of_freedom = 0.0;
-
-  double misfit() const { return degrees_of_freedom > 0.0 ? chi_square / degrees_of_freedom : 0.0; }
 };
 
 struct LeastSquaresProblem {

@@ -2,7 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <cmath>
+#include <algorithm>
+
+#include "services/target-locator/contour/chance.hpp"
 
 namespace markservo::target_locator {
 namespace {
@@ -20,6 +22,12 @@ Index rows_of(Index values, const std::optional<PlaneAlignment>& texture) {
 }
 
 }  // namespace
+
+Misfit::Misfit(double chi_square_in, double degrees_of_freedom, bool rough) : chi_square(chi_square_in) {
+  const double mean = chi_square / degrees_of_freedom;
+  excess = mean / explained_by_chance(degrees_of_freedom);
+  growth = std::max(1.0, rough ? mean : excess);
+}
 
 OutlineInView with_floor(OutlineInView view, Index points, double floor_px) {
   for (Index i = 0; i < points; ++i) {

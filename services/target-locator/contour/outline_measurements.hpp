@@ -15,6 +15,7 @@ namespace markservo::target_locator {
 struct OutlineInView {
   Eigen::VectorXd values;
   Eigen::MatrixXd covariance;
+  bool rough = false;  // its pixels err together, so that the covariance is an estimate
 };
 
 struct SharedOutlineInput {
@@ -22,6 +23,17 @@ struct SharedOutlineInput {
   OutlineInView right;
   const geometry::StereoCamera& camera;
   std::optional<PlaneAlignment> texture;  // what texture says of the plane, to be fused with
+
+  bool rough() const { return left.rough || right.rough; }
+};
+
+// How a misfit compares with what chance explains.
+struct Misfit {
+  double chi_square = 0.0;
+  double excess = 0.0;  // over what chance explains
+  double growth = 1.0;  // of the covariance: up to what chance explains a covariance that is known stands
+
+  Misfit(double chi_square, double degrees_of_freedom, bool rough);
 };
 
 // The outline of both views and the plane that some unknowns would make.

@@ -71,6 +71,7 @@ std::optional<OutlineInView> quadrangle_of(const ContrastView& view, const Outli
     outline.values[2 * k] = view.frame.u_of((*values)[2 * k]);
     outline.values[2 * k + 1] = view.frame.v_of((*values)[2 * k + 1]);
   }
+  outline.rough = fitted->roughness > 1.0;
   outline.covariance = view.frame.scale * view.frame.scale * *jacobian * fitted->covariance * jacobian->transpose();
   return outline;
 }
@@ -116,6 +117,7 @@ std::optional<OutlineInView> ellipse_of(const ContrastView& view, const OutlineV
   outline.values = units.cwiseProduct(p);
   outline.values[0] = view.frame.u_of(p[0]);
   outline.values[1] = view.frame.v_of(p[1]);
+  outline.rough = fitted->roughness > 1.0;
   outline.covariance = units.asDiagonal() * fitted->covariance * units.asDiagonal();
   return outline;
 }

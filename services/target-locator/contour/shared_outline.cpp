@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "services/target-locator/contour/chance.hpp"
 #include "services/target-locator/contour/least_squares.hpp"
 
 namespace markservo::target_locator {
@@ -100,14 +99,14 @@ Match match_of(const Vector2d& left, const PlaneUnknowns& on_plane) {
 
 // Of the solution and its centre; nothing when the views contradict each other.
 std::optional<OutlineEstimate> estimate_of(const LeastSquaresSolution& solution,
-                                           const std::optional<Propagated>& centre,
+                                           const std::optional<Propagated>& centre, bool rough,
                                            const SharedOutlineParameters& parameters) {
   if (!centre) return std::nullopt;
-  const double excess = solution.misfit() / explained_by_chance(solution.degrees_of_freedom);
-  if (!(excess <= parameters.max_excess)) return std::nullopt;
+  const Misfit misfit(solution.chi_square, solution.degrees_of_freedom, rough);
+  if (!(misfit.excess <= parameters.max_excess)) return std::nullopt;
   OutlineEstimate estimate;
   estimate.p_C = centre->value;
-  estimate.covariance = centre->covariance * std::max(1.0, excess);
+  estimate.covariance = misfit.growth * centre->covariance;
   return estimate;
 }
 
@@ -202,7 +201,7 @@ std::optional<OutlineEstimate> disc_from_outlines(const SharedOutlineInput& give
         on_plane_in_space(image_of_centre(unknowns, on_plane.plane, input.camera), on_plane.plane, input.camera);
     return p_C ? std::make_optional<VectorXd>(*p_C) : std::nullopt;
   };
-  auto estimate = estimate_of(*solution, propagate(centre, *solution, step), parameters);
+  auto estimate = estimate_of(*solution, propagate(centre, *solution, step), input.rough(), parameters);
   if (!estimate) return std::nullopt;
   const PlaneUnknowns on_plane(solution->unknowns, about);
   estimate->normal_C = plane_normal(on_plane.plane, input.camera);
@@ -240,7 +239,7 @@ std::optional<OutlineEstimate> ball_from_outlines(const SharedOutlineInput& give
   const VectorFunction centre = [](const VectorXd& unknowns) -> std::optional<VectorXd> {
     return VectorXd(unknowns.head<3>());
   };
-  auto estimate = estimate_of(*solution, propagate(centre, *solution, problem.step), parameters);
+  auto estimate = estimate_of(*solution, propagate(centre, *solution, problem.step), given.rough(), parameters);
   const auto predicted = problem.predict(solution->unknowns);
   if (!estimate || !predicted) return std::nullopt;
   // What both views show of it are different circles: their middles alone belong together.

@@ -4,9 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <vector>
 
-#include "services/target-locator/contour/chance.hpp"
 #include "services/target-locator/contour/shared_outline.hpp"
 
 namespace markservo::target_locator {
@@ -29,7 +28,7 @@ Vector2d corner(const VectorXd& values, Index k) {
 
 // A square in space.
 struct Square {
-  Vector3d p_C = Vector3d::Zero();        // m, its centre
+  Vector3d p_C = Vector3d::Zero();       // m, its centre
   Matrix3d axes = Matrix3d::Identity();  // columns: along the first side, along the second one, their cross product
   double half = 0.0;                     // m, of its edge
 
@@ -136,8 +135,7 @@ struct Candidate {
   Square square;
   double row_offset = 0.0;
   Matrix3d covariance;  // m^2, of the centre
-  double chi_square = 0.0;
-  double excess = 1.0;  // of the misfit over what chance explains
+  Misfit misfit;
 };
 
 std::optional<Candidate> fit(const SharedOutlineInput& input, const Square& start, double left_out,
@@ -154,14 +152,9 @@ std::optional<Candidate> fit(const SharedOutlineInput& input, const Square& star
   problem.step[7] = kStep_px;
   const auto solution = solve_least_squares(problem);
   if (!solution) return std::nullopt;
-  const double free = solution->degrees_of_freedom - left_out;
-  Candidate candidate;
-  candidate.square = start.changed(solution->unknowns);
-  candidate.row_offset = solution->unknowns[7];
-  candidate.covariance = solution->covariance.topLeftCorner<3, 3>();
-  candidate.chi_square = solution->chi_square;
-  candidate.excess = std::max(1.0, solution->chi_square / free / explained_by_chance(free));
-  return candidate;
+  const Misfit misfit(solution->chi_square, solution->degrees_of_freedom - left_out, input.rough());
+  return Candidate{start.changed(solution->unknowns), solution->unknowns[7],
+                   misfit.growth * solution->covariance.topLeftCorner<3, 3>(), misfit};
 }
 
 // The squares of which one side is hidden in part, in either view as may be.
@@ -188,7 +181,7 @@ OutlineEstimate estimate_of(const Candidate& candidate, const geometry::StereoCa
   OutlineEstimate estimate;
   const Square& square = candidate.square;
   estimate.p_C = square.p_C;
-  estimate.covariance = candidate.excess * candidate.covariance;
+  estimate.covariance = candidate.covariance;
   const Vector3d normal = square.axes.col(2);
   estimate.normal_C = normal.dot(square.p_C) > 0.0 ? Vector3d(-normal) : normal;
   const auto predicted = prediction_of(square, candidate.row_offset, camera);
@@ -200,26 +193,43 @@ OutlineEstimate estimate_of(const Candidate& candidate, const geometry::StereoCa
   return estimate;
 }
 
-// The middle of the squares that are about as likely as the likeliest, and all of their places as its doubt.
-std::optional<OutlineEstimate> mean_of(std::vector<Candidate> candidates, const geometry::StereoCamera& camera,
-                                       const SharedOutlineParameters& parameters) {
-  if (candidates.empty()) return std::nullopt;
-  const auto by_chi_square = [](const Candidate& a, const Candidate& b) { return a.chi_square < b.chi_square; };
+// Without those that are much less likely than the likeliest, which comes first.
+void keep_likely(std::vector<Candidate>& candidates, const SharedOutlineParameters& parameters) {
+  if (candidates.empty()) return;
+  const auto by_chi_square = [](const Candidate& a, const Candidate& b) {
+    return a.misfit.chi_square < b.misfit.chi_square;
+  };
   std::sort(candidates.begin(), candidates.end(), by_chi_square);
-  const Candidate best = candidates.front();
-  const double limit = best.chi_square + parameters.as_likely * best.excess;
-  const auto unlikely = [&](const Candidate& candidate) { return candidate.chi_square > limit; };
+  const Misfit best = candidates.front().misfit;
+  const double limit = best.chi_square + parameters.as_likely * best.growth;
+  const auto unlikely = [&](const Candidate& candidate) { return candidate.misfit.chi_square > limit; };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(), unlikely), candidates.end());
-  OutlineEstimate estimate = estimate_of(best, camera);
-  const double share = 1.0 / static_cast<double>(candidates.size());
-  estimate.p_C.setZero();
-  for (const Candidate& candidate : candidates) estimate.p_C += share * candidate.square.p_C;
-  estimate.covariance.setZero();
+}
+
+// How far the candidates lie from a point: the mean square.
+Matrix3d spread_about(const Vector3d& p_C, const std::vector<Candidate>& candidates) {
+  Matrix3d spread = Matrix3d::Zero();
   for (const Candidate& candidate : candidates) {
-    const Vector3d off = candidate.square.p_C - estimate.p_C;
-    estimate.covariance += share * (candidate.excess * candidate.covariance + off * off.transpose());
+    const Vector3d off = candidate.square.p_C - p_C;
+    spread += off * off.transpose() / static_cast<double>(candidates.size());
   }
-  return best.excess <= parameters.max_excess ? std::make_optional(estimate) : std::nullopt;
+  return spread;
+}
+
+// The middle of the candidates, and all of their places as its doubt. Nothing where none fits.
+std::optional<OutlineEstimate> mean_of(const std::vector<Candidate>& candidates, const geometry::StereoCamera& camera,
+                                       const SharedOutlineParameters& parameters) {
+  if (candidates.empty() || !(candidates.front().misfit.excess <= parameters.max_excess)) return std::nullopt;
+  OutlineEstimate estimate = estimate_of(candidates.front(), camera);
+  estimate.p_C.setZero();
+  estimate.covariance.setZero();
+  const double share = 1.0 / static_cast<double>(candidates.size());
+  for (const Candidate& candidate : candidates) {
+    estimate.p_C += share * candidate.square.p_C;
+    estimate.covariance += share * candidate.covariance;
+  }
+  estimate.covariance += spread_about(estimate.p_C, candidates);
+  return estimate;
 }
 
 }  // namespace
@@ -231,10 +241,15 @@ std::optional<OutlineEstimate> square_from_outlines(const SharedOutlineInput& gi
   const auto start = rough_square(input);
   if (!start) return std::nullopt;
   const auto whole = fit(input, *start, 0.0, parameters);
-  if (whole && whole->excess <= 1.0) return estimate_of(*whole, input.camera);
+  const bool fits = whole && whole->misfit.excess <= parameters.max_excess;
+  if (fits && whole->misfit.excess <= 1.0) return estimate_of(*whole, input.camera);
   std::vector<Candidate> candidates = with_a_hidden_side(input, *start, parameters);
-  if (candidates.empty() && whole) candidates.push_back(*whole);
-  return mean_of(std::move(candidates), input.camera, parameters);
+  keep_likely(candidates, parameters);
+  if (!fits) return mean_of(candidates, input.camera, parameters);
+  // So little may as well be what edges and packing leave: the place stands, but a side may be hidden.
+  OutlineEstimate estimate = estimate_of(*whole, input.camera);
+  estimate.covariance += spread_about(estimate.p_C, candidates);
+  return estimate;
 }
 
 }  // namespace markservo::target_locator

@@ -6,10 +6,13 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <random>
 
+#include "services/target-locator/contour/chance.hpp"
 #include "services/target-locator/contour/ellipse_contour.hpp"
 #include "services/target-locator/contour/quad_contour.hpp"
 #include "services/target-locator/image/texture_strength.hpp"
@@ -133,6 +136,37 @@ TEST(ContourFit, SaysHowWellItKnowsTheSides) {
   }
   EXPECT_GT(sum / kDraws, 6.0);
   EXPECT_LT(sum / kDraws, 10.0);
+}
+
+// The same where the noise is that of blocks of pixels, as packing leaves it.
+TEST(ContourFit, SaysHowWellItKnowsTheSidesWherePixelsErrTogether) {
+  double sum = 0.0;
+  constexpr int kDraws = 60;
+  constexpr std::size_t kBlock_px = 6;
+  for (unsigned seed = 1; seed <= kDraws; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(0.0, 0.04);
+    constexpr std::size_t kBlocks = kEdge_px / kBlock_px;
+    std::array<double, kBlocks * kBlocks> noise;
+    for (double& of_block : noise) of_block = normal(random);
+    const Levels packed = [&](double x, double y, double share) {
+      const std::size_t row = static_cast<std::size_t>(y) / kBlock_px;
+      return share + noise[row * kBlocks + static_cast<std::size_t>(x) / kBlock_px];
+    };
+    const auto fitted = fit_contour(image_of(square(), packed, 0.01, seed), around(square(), 0.0), {});
+    ASSERT_TRUE(fitted) << seed;
+    EXPECT_GT(fitted->roughness, 1.0);
+    const QuadContour::Vector& error = fitted->shape.parameters();
+    sum += error.dot(fitted->covariance.inverse() * error);
+  }
+  EXPECT_GT(sum / kDraws, 4.0);
+  EXPECT_LT(sum / kDraws, 12.0);
+}
+
+TEST(ExplainedByChance, IsTheChiSquareThatNinetyNineOfAHundredDrawsStayBelow) {
+  EXPECT_NEAR(2.0 * explained_by_chance(2.0), 9.210, 0.03);
+  EXPECT_NEAR(5.0 * explained_by_chance(5.0), 15.086, 0.05);
+  EXPECT_NEAR(100.0 * explained_by_chance(100.0), 135.807, 0.1);
 }
 
 TEST(ContourFit, FindsAnEllipseToAHundredthOfAPixel) {
