@@ -203,8 +203,7 @@ class ContourProblem {
       if (std::abs(coverage.distance) > 0.5) continue;
       double by = 0.0;
       for (int i = 0; i < Shape::kSize; ++i) by += coverage.by_shape[static_cast<std::size_t>(i)] * change[i];
-      const double per_px = BlurredEdge(coverage.distance, blur_).by_distance;
-      most = std::max(most, std::abs(by) / per_px);
+      most = std::max(most, std::abs(by) / coverage.by_distance);
     }
     return most;
   }
@@ -238,7 +237,7 @@ class ContourProblem {
     totals_.squares += residual * residual;
     totals_.count += 1.0;
     const SparseRow row = row_of(coverage, w, contrast);
-    const double by_move = contrast * BlurredEdge(coverage.distance, blur_).by_distance;
+    const double by_move = contrast * coverage.by_distance;
     for (std::size_t i = 0; i < row.size; ++i) {
       score_gradients_(row.index[i], static_cast<Eigen::Index>(pixel.block)) += row.derivative[i] * by_move;
     }
@@ -273,7 +272,7 @@ class ContourProblem {
   }
 
   void add_to_block(const Coverage& coverage, double contrast, double residual, BlockSums& block) const {
-    const double by_move = contrast * BlurredEdge(coverage.distance, blur_).by_distance;
+    const double by_move = contrast * coverage.by_distance;
     block.count += 1.0;
     block.squares += residual * residual;
     block.score += residual * by_move;

@@ -40,12 +40,13 @@ Coverage EllipseContour::at(double x, double y, double blur) const {
     return coverage;
   }
   coverage.distance = (1.0 - radius) * radius / steepness;
-  const BlurredEdge edge(coverage.distance, blur);
-  coverage.share = edge.share;
-  coverage.by_blur = edge.by_blur;
-  if (edge.by_distance <= 0.0) return coverage;
   const double a = w.x() / steepness;
   const double b = w.y() / steepness;
+  const BlurredEdge edge(coverage.distance, blur, a, b);
+  coverage.share = edge.share;
+  coverage.by_distance = edge.by_distance;
+  coverage.by_blur = edge.by_blur;
+  if (edge.by_distance <= 0.0) return coverage;
   coverage.by_shape[0] = edge.by_distance * a;
   coverage.by_shape[1] = edge.by_distance * b;
   coverage.by_shape[2] = edge.by_distance * 0.5 * a * w.x();

@@ -57,8 +57,11 @@ Coverage QuadContour::at(double x, double y, double blur) const {
   coverage.distance = distance[nearest];
   const double part = std::clamp(along[nearest] / sides_[nearest].length + 0.5, 0.0, 1.0);
   coverage.around = 0.25 * (static_cast<double>(nearest) + part);
-  const std::array<BlurredEdge, 4> edges{BlurredEdge(distance[0], blur), BlurredEdge(distance[1], blur),
-                                         BlurredEdge(distance[2], blur), BlurredEdge(distance[3], blur)};
+  const auto edge = [&](std::size_t k) {
+    return BlurredEdge(distance[k], blur, sides_[k].outward.x(), sides_[k].outward.y());
+  };
+  const std::array<BlurredEdge, 4> edges{edge(0), edge(1), edge(2), edge(3)};
+  coverage.by_distance = edges[nearest].by_distance;
   coverage.share = edges[0].share * edges[1].share * edges[2].share * edges[3].share;
   for (std::size_t k = 0; k < 4; ++k) {
     if (edges[k].by_distance <= 0.0) continue;
