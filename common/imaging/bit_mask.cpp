@@ -154,6 +154,16 @@ void erode(const BitMask& mask, int reach, BitMask& result) {
   result.spread<Intersection>(mask, reach);
 }
 
+void subtract(const BitMask& mask, const BitMask& other, BitMask& result) {
+  if (&result != &mask && &result != &other) result.reset(mask.width(), mask.height());
+  for (int v = 0; v < mask.height(); ++v) {
+    const std::uint64_t* from = mask.row(v);
+    const std::uint64_t* less = other.row(v);
+    std::uint64_t* words = result.row(v);
+    for (int i = 0; i < mask.words_per_row(); ++i) words[i] = from[i] & ~less[i];
+  }
+}
+
 void complement(BitMask& mask) {
   const int words = mask.words_per_row();
   if (words == 0) return;

@@ -101,6 +101,9 @@ void erode(const BitMask& mask, int reach, BitMask& result);
 // Sets what is not set and clears what is.
 void complement(BitMask& mask);
 
+// What is set in `mask` and not in `other`, of the same size. `result` may be either of them.
+void subtract(const BitMask& mask, const BitMask& other, BitMask& result);
+
 // Rows become columns. `result` keeps its memory.
 void transpose(const BitMask& mask, BitMask& result);
 

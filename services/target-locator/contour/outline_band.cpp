@@ -1,8 +1,5 @@
 #include "services/target-locator/contour/outline_band.hpp"
 
-#include <cmath>
-#include <cstdint>
-
 #include "services/target-locator/contour/contrast_patch.hpp"
 
 namespace markservo::target_locator {
@@ -13,11 +10,7 @@ Mask band_about(const Mask& mask, int half_width) {
   Mask inner;
   imaging::dilate(mask, half_width, band);
   imaging::erode(mask, half_width, inner);
-  for (int y = 0; y < band.height(); ++y) {
-    std::uint64_t* words = band.row(y);
-    const std::uint64_t* inside = static_cast<const Mask&>(inner).row(y);
-    for (int i = 0; i < band.words_per_row(); ++i) words[i] &= ~inside[i];
-  }
+  imaging::subtract(band, inner, band);
   return band;
 }
 
@@ -27,16 +20,12 @@ std::optional<PlaneAlignment> plane_of_outline(const MarkObservation& observatio
                                                const OutlineBandParameters& parameters) {
   const auto seed =
       plane_of_masks(images.left.mask, images.patch.left_frame, images.right.mask, images.patch.right_frame);
-  const auto patch = contrast_patch(observation, images);
+  auto patch = contrast_patch(observation, images);
   if (!seed || !patch) return std::nullopt;
   const Mask band = band_about(images.left.mask, parameters.half_width);
-  const auto plane = align_plane(*patch, band, *seed, parameters.alignment);
-  if (!plane || !(std::sqrt(plane->covariance(0, 0)) <= parameters.max_centre_sigma) ||
-      !(plane->correlation >= parameters.min_correlation) ||
-      !(std::abs(plane->row_offset) <= parameters.max_row_offset)) {
-    return std::nullopt;
-  }
-  return plane;
+  const auto first = align_plane(*patch, band, *seed, parameters.alignment);
+  const auto plane = with_rows_aligned(*patch, band, first, parameters.limits, parameters.alignment);
+  return is_known(plane, parameters.limits) && is_one_mark(*plane, parameters.limits) ? plane : std::nullopt;
 }
 
 }  // namespace markservo::target_locator

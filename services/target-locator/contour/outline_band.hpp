@@ -12,10 +12,8 @@
 namespace markservo::target_locator {
 
 struct OutlineBandParameters {
-  int half_width = 3;             // patch px on either side of the outline: the blur's reach
-  double max_centre_sigma = 0.3;  // px of disparity: with less of an outline the depth is a guess
-  double min_correlation = 0.8;   // of the views of one outline, on its plane
-  double max_row_offset = 3.0;    // px: rows are epipolar lines
+  int half_width = 3;              // patch px on either side of the outline: the blur's reach
+  AlignmentLimits limits = {0.8};  // the outlines of one mark are more alike than its textures
   AlignmentParameters alignment;
 };
 

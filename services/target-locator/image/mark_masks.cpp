@@ -42,11 +42,7 @@ void prepare_masks(const Patch& patch, MarkMasks& masks) {
 void make_ring(MarkMasks& masks) {
   imaging::dilate(masks.mask, kEdgeMargin, masks.ring);
   imaging::dilate(masks.mask, kRingReach, masks.reach);
-  for (int y = 0; y < masks.ring.height(); ++y) {
-    std::uint64_t* ring = masks.ring.row(y);
-    const std::uint64_t* all = static_cast<const Mask&>(masks.reach).row(y);
-    for (int i = 0; i < masks.ring.words_per_row(); ++i) ring[i] = all[i] & ~ring[i];
-  }
+  imaging::subtract(masks.reach, masks.ring, masks.ring);
 }
 
 }  // namespace markservo::target_locator

@@ -4,36 +4,16 @@
 #include <optional>
 #include <utility>
 
-#include "services/target-locator/image/epipolar_rows.hpp"
 #include "services/target-locator/plane/plane_matches.hpp"
 #include "services/target-locator/plane/shared_visibility.hpp"
 
 namespace markservo::target_locator {
 namespace {
 
-// Over the templates' pixels, and once more with the rows where they turn out to lie.
-std::optional<PlaneAlignment> align(StereoPatch& patch, const Mask& inside, const DisparityPlane& seed,
-                                    const PlaneParameters& parameters, PlaneTemplates& pixels) {
-  auto alignment = align_plane(patch, pixels, seed, parameters.alignment);
-  if (!alignment || !(std::abs(alignment->row_offset) > parameters.worth_resampling_px) ||
-      !(std::abs(alignment->row_offset) <= parameters.max_row_offset)) {
-    return alignment;
-  }
-  const double offset = alignment->row_offset;
-  align_rows(patch.right, patch.right_frame, patch.left_frame, patch.left.height, offset, patch.right_rows);
-  alignment = align_plane(patch, inside, alignment->plane, parameters.alignment);
-  if (alignment) alignment->row_offset += offset;
-  return alignment;
-}
-
 // What the alignment itself says of the plane.
-Status status_of(const std::optional<PlaneAlignment>& alignment, const PlaneParameters& parameters) {
-  if (!alignment || std::sqrt(alignment->covariance(0, 0)) > parameters.max_centre_sigma) {
-    return Status::kTooFewMatches;
-  }
-  const bool one_mark = !(alignment->correlation < parameters.min_correlation) &&
-                        !(std::abs(alignment->row_offset) > parameters.max_row_offset);
-  return one_mark ? Status::kLocated : Status::kInconsistent;
+Status status_of(const std::optional<PlaneAlignment>& alignment, const AlignmentLimits& limits) {
+  if (!is_known(alignment, limits)) return Status::kTooFewMatches;
+  return is_one_mark(*alignment, limits) ? Status::kLocated : Status::kInconsistent;
 }
 
 // What the features say of it.
@@ -65,8 +45,9 @@ MarkPlane measure_plane(const MarkObservation& observation, const PlaneParameter
     make_template(patch, *inside, parameters.alignment.max_rough_pixels, work.pixels.rough);
   }
   make_template(patch, *inside, parameters.alignment.max_pixels, work.pixels.all);
-  const auto alignment = align(patch, *inside, seed.plane, parameters, work.pixels);
-  measured.status = status_of(alignment, parameters);
+  const auto first = align_plane(patch, work.pixels, seed.plane, parameters.alignment);
+  const auto alignment = with_rows_aligned(patch, *inside, first, parameters.limits, parameters.alignment);
+  measured.status = status_of(alignment, parameters.limits);
   if (measured.status != Status::kLocated) return measured;
 
   measured.alignment = *alignment;

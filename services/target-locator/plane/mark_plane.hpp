@@ -19,11 +19,8 @@ struct PlaneParameters {
   SeedParameters seed;
   AlignmentParameters alignment;
   RefinementParameters verification = {7, false, 3, 0.25, 1.0, 0.6};  // of the features, from where the plane says
-  double whole_share = 0.96;         // of a view's pixels that the other shows, below it something hides some
-  double worth_resampling_px = 0.2;  // of row offset beyond which its linear model is poor
-  double max_row_offset = 3.0;       // px: rows are epipolar lines
-  double max_centre_sigma = 0.3;     // px of disparity: with less texture the depth is a guess
-  double min_correlation = 0.5;      // of the views of one mark, on its plane
+  double whole_share = 0.96;  // of a view's pixels that the other shows, below it something hides some
+  AlignmentLimits limits;
   double max_plane_distance = 0.35;  // px, of a feature that lies on the plane
   double min_agreeing = 0.5;         // share of the features that lie on the plane
   double masks_agree_px = 1.0;       // of disparity between masks and print

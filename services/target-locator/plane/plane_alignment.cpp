@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "services/target-locator/image/epipolar_rows.hpp"
 #include "services/target-locator/plane/plane_fit.hpp"
 
 namespace markservo::target_locator {
@@ -63,6 +64,28 @@ std::optional<PlaneAlignment> align_plane(const StereoPatch& patch, PlaneTemplat
   result.correlation = fit.correlation();
   result.inlier_share = share;
   return result;
+}
+
+std::optional<PlaneAlignment> with_rows_aligned(StereoPatch& patch, const Mask& mask,
+                                                const std::optional<PlaneAlignment>& first,
+                                                const AlignmentLimits& limits, const AlignmentParameters& parameters) {
+  if (!first || !(std::abs(first->row_offset) > limits.worth_resampling_px) ||
+      !(std::abs(first->row_offset) <= limits.max_row_offset)) {
+    return first;
+  }
+  const double offset = first->row_offset;
+  align_rows(patch.right, patch.right_frame, patch.left_frame, patch.left.height, offset, patch.right_rows);
+  auto alignment = align_plane(patch, mask, first->plane, parameters);
+  if (alignment) alignment->row_offset += offset;
+  return alignment;
+}
+
+bool is_known(const std::optional<PlaneAlignment>& alignment, const AlignmentLimits& limits) {
+  return alignment && !(std::sqrt(alignment->covariance(0, 0)) > limits.max_centre_sigma);
+}
+
+bool is_one_mark(const PlaneAlignment& alignment, const AlignmentLimits& limits) {
+  return !(alignment.correlation < limits.min_correlation) && !(std::abs(alignment.row_offset) > limits.max_row_offset);
 }
 
 }  // namespace markservo::target_locator

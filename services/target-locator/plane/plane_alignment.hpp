@@ -22,6 +22,13 @@ struct AlignmentParameters {
   double disparity_floor_px = 0.010;  // what interpolation and the lens model leave, whatever the texture
 };
 
+struct AlignmentLimits {
+  double min_correlation = 0.5;      // of the views of one mark, on its plane
+  double max_centre_sigma = 0.3;     // px of disparity: with less to tell by the depth is a guess
+  double max_row_offset = 3.0;       // px: rows are epipolar lines
+  double worth_resampling_px = 0.2;  // of row offset beyond which its linear model is poor
+};
+
 struct PlaneAlignment {
   DisparityPlane plane;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of (at_centre, along_u, along_v)
@@ -43,5 +50,16 @@ std::optional<PlaneAlignment> align_plane(const StereoPatch& patch, const Mask& 
 // The same over pixels taken before; those that turn out to be outliers lose their weight.
 std::optional<PlaneAlignment> align_plane(const StereoPatch& patch, PlaneTemplates& pixels, const DisparityPlane& seed,
                                           const AlignmentParameters& parameters);
+
+// What `first` has found over the mask, or, where the rows turn out to lie off, once more with them where they lie.
+std::optional<PlaneAlignment> with_rows_aligned(StereoPatch& patch, const Mask& mask,
+                                                const std::optional<PlaneAlignment>& first,
+                                                const AlignmentLimits& limits, const AlignmentParameters& parameters);
+
+// There is an alignment, and it tells the depth.
+bool is_known(const std::optional<PlaneAlignment>& alignment, const AlignmentLimits& limits);
+
+// Its views show one thing.
+bool is_one_mark(const PlaneAlignment& alignment, const AlignmentLimits& limits);
 
 }  // namespace markservo::target_locator

@@ -98,6 +98,19 @@ TEST(BitMask, ComplementIsAllElse) {
   EXPECT_EQ(mask.count(), 350 - before);
 }
 
+TEST(BitMask, LessAnotherIsWhatTheOtherDoesNotHave) {
+  const BitMask mask = random_mask(70, 5, 0.5, 3);
+  const BitMask other = random_mask(70, 5, 0.5, 4);
+  BitMask rest(3, 3);
+  subtract(mask, other, rest);
+  for (int v = 0; v < 5; ++v) {
+    for (int u = 0; u < 70; ++u) EXPECT_EQ(rest.test(u, v), mask.test(u, v) && !other.test(u, v));
+  }
+  BitMask in_place = other;
+  subtract(mask, in_place, in_place);
+  EXPECT_EQ(in_place, rest);
+}
+
 TEST(BitMask, IsClearAfterAReset) {
   BitMask mask = random_mask(70, 5, 0.3, 3);
   mask.reset(70, 5);
