@@ -85,15 +85,18 @@ Location locate_without_texture(const MarkObservation& observation, const geomet
                                 const LocatorParameters& parameters, const ByTexture& by_texture,
                                 const std::optional<PlaneAlignment>& texture, LocatorWorkspace& work) {
   const bool located = by_texture.location.status == Status::kLocated;
-  const bool plain = is_plain(work.images, parameters.plain_texture);
+  const auto is_textured = [&] { return !is_plain(work.images, parameters.plain_texture); };
   // Two things of one outline may have different prints: a texture that does not match is not overruled.
-  if (!located && by_texture.all_over && !plain) return by_texture.location;
+  const bool in_question = !located && by_texture.all_over;
+  if (in_question && is_textured()) return by_texture.location;
+  const auto views = contrast_views(observation, work.images);
+  if (!views) return by_texture.location;
   if (observation.surface != Surface::kFree) {
-    const auto by_outline = locate_by_outline(observation, camera, parameters.outline, texture, work.images);
+    const auto by_outline = locate_by_outline(observation, camera, parameters.outline, texture, work.images, *views);
     if (by_outline) return location_of(*by_outline, Cue::kOutline);
   }
-  if (located || !plain) return by_texture.location;
-  const auto by_centroid = locate_by_centroid(observation, camera, parameters.centroid, work.images);
+  if (located || (!in_question && is_textured())) return by_texture.location;
+  const auto by_centroid = locate_by_centroid(observation, camera, parameters.centroid, work.images, *views);
   return by_centroid ? location_of(*by_centroid, Cue::kCentroid) : by_texture.location;
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "services/target-locator/contour/outline_views.hpp"
-
 namespace markservo::target_locator {
 namespace {
 
@@ -68,12 +66,10 @@ double missing_of(const MarkObservation& observation, double area, double dispar
 
 std::optional<OutlineEstimate> locate_by_centroid(const MarkObservation& observation,
                                                   const geometry::StereoCamera& camera,
-                                                  const ColourCentroidParameters& parameters, MarkImages& images) {
-  const auto left = contrast_of(observation.left.patch, images.left);
-  const auto right = contrast_of(observation.right.patch, images.right);
-  if (!left || !right) return std::nullopt;
-  const auto l = centroid_of(*left, images.left, parameters.floor_px);
-  const auto r = centroid_of(*right, images.right, parameters.floor_px);
+                                                  const ColourCentroidParameters& parameters, const MarkImages& images,
+                                                  const ContrastViews& views) {
+  const auto l = centroid_of(views.left, images.left, parameters.floor_px);
+  const auto r = centroid_of(views.right, images.right, parameters.floor_px);
   if (!l || !r) return std::nullopt;
   const geometry::StereoPoint point{l->position.x(), 0.5 * (l->position.y() + r->position.y()), r->position.x()};
   const auto p_C = geometry::triangulate(camera, point);

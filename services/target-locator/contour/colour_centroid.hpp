@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/geometry/stereo_camera.hpp"
+#include "services/target-locator/contour/outline_views.hpp"
 #include "services/target-locator/contour/shared_outline.hpp"
 #include "services/target-locator/image/mark_images.hpp"
 #include "services/target-locator/mark_observation.hpp"
@@ -18,10 +19,11 @@ struct ColourCentroidParameters {
 };
 
 // Measures a mark by the middle of its colour. An affine map takes middles to middles, so that the two belong together
-// whatever the shape. What may be missing of the mark in one view is in the covariance. Nothing where mark and
-// surroundings look the same.
+// whatever the shape. What may be missing of the mark in one view is in the covariance. `views` are of `images`.
+// Nothing where too much is missing.
 std::optional<OutlineEstimate> locate_by_centroid(const MarkObservation& observation,
                                                   const geometry::StereoCamera& camera,
-                                                  const ColourCentroidParameters& parameters, MarkImages& images);
+                                                  const ColourCentroidParameters& parameters, const MarkImages& images,
+                                                  const ContrastViews& views);
 
 }  // namespace markservo::target_locator

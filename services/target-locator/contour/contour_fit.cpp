@@ -30,6 +30,9 @@ struct BlockSums {
   double contrast = 0.0;                 // summed over `count`
   std::array<double, 2> beyond{};        // of residuals outside and inside the blur's reach
   std::array<double, 2> beyond_count{};  // of pixels there
+  Eigen::VectorXd gradient;              // how the score falls with the unknowns
+
+  explicit BlockSums(Eigen::Index unknowns) : gradient(Eigen::VectorXd::Zero(unknowns)) {}
 };
 
 // Derivatives by the few unknowns that a pixel depends on.
@@ -62,18 +65,16 @@ class ContourProblem {
       : parameters_(parameters),
         shape_(start),
         about_(pixels_about(image, start, parameters.reach_in, parameters.reach_out,
-                            static_cast<std::size_t>(std::max(8.0, start.perimeter() / parameters.block_px)))),
-        inside_(Eigen::VectorXd::Ones(parameters.levels_around)),
-        outside_(Eigen::VectorXd::Zero(parameters.levels_around)),
-        blur_(parameters.start_blur) {}
+                            static_cast<std::size_t>(std::max(8.0, start.perimeter() / parameters.block_px)))) {
+    begin(start, Levels::kEven);
+  }
 
-  // And begins anew.
-  void let_levels_vary(const Shape& start) {
-    allowed_ = Levels::kVaried;
+  void begin(const Shape& start, Levels allowed) {
+    allowed_ = allowed;
     shape_ = start;
     blur_ = parameters_.start_blur;
-    inside_.setOnes();
-    outside_.setZero();
+    inside_ = Eigen::VectorXd::Ones(parameters_.levels_around);
+    outside_ = Eigen::VectorXd::Zero(parameters_.levels_around);
   }
 
   // Beyond the blur's reach the residuals of the blocks are more than noise.
@@ -198,13 +199,7 @@ class ContourProblem {
   // px that the outline moves by, about.
   double move_of(const typename Shape::Vector& change) const {
     double most = 0.0;
-    for (const ContourPixel& pixel : about_.pixels) {
-      const Coverage coverage = shape_.at(pixel.x, pixel.y, blur_);
-      if (std::abs(coverage.distance) > 0.5) continue;
-      double by = 0.0;
-      for (int i = 0; i < Shape::kSize; ++i) by += coverage.by_shape[static_cast<std::size_t>(i)] * change[i];
-      most = std::max(most, std::abs(by) / coverage.by_distance);
-    }
+    for (const auto& outwards : outwards_) most = std::max(most, std::abs(outwards.dot(change)));
     return most;
   }
 
@@ -213,8 +208,8 @@ class ContourProblem {
     const int unknowns = Shape::kSize + 1 + level_unknowns();
     information_ = Eigen::MatrixXd::Zero(unknowns, unknowns);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
-    blocks_.assign(about_.used.size(), {});
-    score_gradients_ = Eigen::MatrixXd::Zero(unknowns, static_cast<Eigen::Index>(blocks_.size()));
+    blocks_.assign(about_.used.size(), BlockSums(unknowns));
+    outwards_.clear();
     totals_ = {};
     for (const ContourPixel& pixel : about_.pixels) add(pixel, right);
     // Levels of which the patch shows nothing stay as they are.
@@ -228,6 +223,10 @@ class ContourProblem {
 
   void add(const ContourPixel& pixel, Eigen::VectorXd& right) {
     const Coverage coverage = shape_.at(pixel.x, pixel.y, blur_);
+    constexpr double kOnOutline_px = 0.5;
+    if (std::abs(coverage.distance) <= kOnOutline_px) {
+      outwards_.push_back(Eigen::Map<const typename Shape::Vector>(coverage.by_shape.data()) / coverage.by_distance);
+    }
     const LevelWeights w = levels_at(coverage.around);
     const double outside = w.of(outside_);
     const double contrast = w.of(inside_) - outside;
@@ -239,7 +238,7 @@ class ContourProblem {
     const SparseRow row = row_of(coverage, w, contrast);
     const double by_move = contrast * coverage.by_distance;
     for (std::size_t i = 0; i < row.size; ++i) {
-      score_gradients_(row.index[i], static_cast<Eigen::Index>(pixel.block)) += row.derivative[i] * by_move;
+      blocks_[pixel.block].gradient[row.index[i]] += row.derivative[i] * by_move;
     }
     for (std::size_t i = 0; i < row.size; ++i) {
       right[row.index[i]] += row.derivative[i] * residual;
@@ -313,21 +312,20 @@ class ContourProblem {
     StretchSums sums;
     const std::size_t n = blocks_.size();
     for (std::size_t first = 0; first < n; ++first) {
-      BlockSums stretch;
-      Eigen::VectorXd gradient = Eigen::VectorXd::Zero(information_.rows());
+      BlockSums stretch(information_.rows());
       bool whole = true;
       for (std::size_t k = first; k < first + window; ++k) {
         const BlockSums& block = blocks_[k % n];
         whole = whole && about_.used[k % n] && block.information > 0.0;
         stretch.score += block.score;
         stretch.information += block.information;
-        gradient += score_gradients_.col(static_cast<Eigen::Index>(k % n));
+        stretch.gradient += block.gradient;
       }
       if (!whole) continue;
       ++sums.count;
       sums.squares += stretch.score * stretch.score;
       sums.information += stretch.information;
-      sums.left += stretch.information - gradient.dot(solver_.solve(gradient));
+      sums.left += stretch.information - stretch.gradient.dot(solver_.solve(stretch.gradient));
     }
     return sums;
   }
@@ -349,12 +347,12 @@ class ContourProblem {
   ContourPixels about_;
   Eigen::VectorXd inside_;  // levels around
   Eigen::VectorXd outside_;
-  double blur_;
+  double blur_ = 0.0;
   Levels allowed_ = Levels::kEven;
   Eigen::MatrixXd information_;  // lower half
   Eigen::LDLT<Eigen::MatrixXd> solver_;
   std::vector<BlockSums> blocks_;
-  Eigen::MatrixXd score_gradients_;  // how each block's score falls with the unknowns
+  std::vector<typename Shape::Vector> outwards_;  // how places on the outline move with the shape's parameters
   Totals totals_;
 };
 
@@ -362,7 +360,7 @@ class ContourProblem {
 template <class Shape>
 bool settle(ContourProblem<Shape>& problem, const Shape& start) {
   if (problem.iterate() && !problem.levels_vary()) return true;
-  problem.let_levels_vary(start);
+  problem.begin(start, Levels::kVaried);
   return problem.iterate();
 }
 

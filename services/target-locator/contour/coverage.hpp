@@ -21,9 +21,9 @@ struct Coverage {
   std::array<double, kMostShapeParameters> by_shape{};  // d share / d each parameter of the shape
 };
 
-// The share of a pixel whose middle lies at `distance` (px, positive inside) from a straight edge of any unit normal: the
-// edge blurred by a Gaussian of `sigma` px, above 0, averaged over the pixel's square. Across the edge this square is
-// two boxes folded, as wide as the normal's components.
+// The share of a pixel whose middle lies at `distance` (px, positive inside) from a straight edge of any unit normal:
+// the edge blurred by a Gaussian of `sigma` px, above 0, averaged over the pixel's square. Across the edge this square
+// is two boxes folded, as wide as the normal's components.
 struct BlurredEdge {
   double share = 0.0;
   double by_distance = 0.0;  // d share / d distance

@@ -10,7 +10,8 @@ namespace {
 std::optional<OutlineEstimate> locate_any_shape(const MarkObservation& observation,
                                                 const geometry::StereoCamera& camera,
                                                 const OutlineBandParameters& parameters,
-                                                const std::optional<PlaneAlignment>& texture, MarkImages& images) {
+                                                const std::optional<PlaneAlignment>& texture,
+                                                const MarkImages& images) {
   auto alignment = plane_of_outline(observation, images, parameters);
   if (texture && (!alignment || texture->covariance(0, 0) < alignment->covariance(0, 0))) alignment = texture;
   if (!alignment) return std::nullopt;
@@ -34,13 +35,11 @@ std::optional<OutlineEstimate> locate_any_shape(const MarkObservation& observati
 std::optional<OutlineEstimate> locate_by_outline(const MarkObservation& observation,
                                                  const geometry::StereoCamera& camera,
                                                  const OutlineMethodParameters& parameters,
-                                                 const std::optional<PlaneAlignment>& texture, MarkImages& images) {
-  const auto left = contrast_of(observation.left.patch, images.left);
-  const auto right = contrast_of(observation.right.patch, images.right);
-  if (!left || !right) return std::nullopt;
+                                                 const std::optional<PlaneAlignment>& texture, const MarkImages& images,
+                                                 const ContrastViews& views) {
   if (observation.surface == Surface::kPlane && observation.outline == Outline::kSquare) {
-    const auto of_left = quadrangle_of(*left, parameters.views);
-    const auto of_right = of_left ? quadrangle_of(*right, parameters.views) : std::nullopt;
+    const auto of_left = quadrangle_of(views.left, parameters.views);
+    const auto of_right = of_left ? quadrangle_of(views.right, parameters.views) : std::nullopt;
     if (!of_right) return std::nullopt;
     return square_from_outlines({*of_left, in_order_of(*of_left, *of_right), camera, texture}, parameters.shared);
   }
@@ -48,8 +47,8 @@ std::optional<OutlineEstimate> locate_by_outline(const MarkObservation& observat
   if (!ball && observation.outline != Outline::kDisc) {
     return locate_any_shape(observation, camera, parameters.band, texture, images);
   }
-  const auto of_left = ellipse_of(*left, parameters.views);
-  const auto of_right = of_left ? ellipse_of(*right, parameters.views) : std::nullopt;
+  const auto of_left = ellipse_of(views.left, parameters.views);
+  const auto of_right = of_left ? ellipse_of(views.right, parameters.views) : std::nullopt;
   if (!of_right) return std::nullopt;
   const SharedOutlineInput input{*of_left, *of_right, camera, texture};
   return ball ? ball_from_outlines(input, parameters.shared) : disc_from_outlines(input, parameters.shared);

@@ -21,11 +21,12 @@ struct OutlineMethodParameters {
 };
 
 // Measures a mark by its outline in both views. `texture` is what the texture says of the plane, to be fused with by
-// its covariance. Nothing when the outline is not what the mark is said to have, is hidden in part, or the views
-// contradict each other.
+// its covariance, `views` are of `images`. Nothing when the outline is not what the mark is said to have, is hidden in
+// part, or the views contradict each other.
 std::optional<OutlineEstimate> locate_by_outline(const MarkObservation& observation,
                                                  const geometry::StereoCamera& camera,
                                                  const OutlineMethodParameters& parameters,
-                                                 const std::optional<PlaneAlignment>& texture, MarkImages& images);
+                                                 const std::optional<PlaneAlignment>& texture, const MarkImages& images,
+                                                 const ContrastViews& views);
 
 }  // namespace markservo::target_locator

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "services/target-locator/contour/ellipse_contour.hpp"
 #include "services/target-locator/contour/quad_contour.hpp"
@@ -40,10 +41,8 @@ std::optional<Matrix8> corner_jacobian(const QuadContour& contour) {
   return jacobian;
 }
 
-}  // namespace
-
-std::optional<ContrastView> contrast_of(const Patch& patch, MarkMasks& masks) {
-  MarkColours colours = mark_colours(patch, masks);
+// In `colours`, which are the patch's.
+std::optional<ContrastView> contrast_of(const Patch& patch, const MarkMasks& masks, MarkColours colours) {
   constexpr std::int64_t kHardlyAny = 16;  // pixels: of a small mark nothing is well inside
   if (colours.inside.count < kHardlyAny) {
     colours.inside = {};
@@ -54,6 +53,17 @@ std::optional<ContrastView> contrast_of(const Patch& patch, MarkMasks& masks) {
   ContrastView view{masks.mask, patch.frame, {}};
   project_colours(patch, contrast.map, view.contrast);
   return view;
+}
+
+}  // namespace
+
+std::optional<ContrastViews> contrast_views(const MarkObservation& observation, MarkImages& images) {
+  auto left = contrast_of(observation.left.patch, images.left, images.left_colours);
+  if (!left) return std::nullopt;
+  const Patch& of_right = observation.right.patch;
+  auto right = contrast_of(of_right, images.right, mark_colours(of_right, images.right));
+  if (!right) return std::nullopt;
+  return ContrastViews{std::move(*left), std::move(*right)};
 }
 
 std::optional<OutlineInView> quadrangle_of(const ContrastView& view, const OutlineViewParameters& parameters) {

@@ -8,6 +8,7 @@
 #include "services/target-locator/contour/contour_fit.hpp"
 #include "services/target-locator/contour/shared_outline.hpp"
 #include "services/target-locator/image/colour_projection.hpp"
+#include "services/target-locator/image/mark_images.hpp"
 #include "services/target-locator/mark_observation.hpp"
 
 namespace markservo::target_locator {
@@ -24,9 +25,14 @@ struct ContrastView {
   PlaneImage contrast;
 };
 
-// The view in the colour by which the mark stands out. Nothing where mark and surroundings look the same. `masks` are
-// the patch's; their ring is made.
-std::optional<ContrastView> contrast_of(const Patch& patch, MarkMasks& masks);
+struct ContrastViews {
+  ContrastView left;
+  ContrastView right;
+};
+
+// Both views, each in the colour by which the mark stands out in it. Nothing where mark and surroundings look the same.
+// Points into `observation` and `images`, whose rings are made.
+std::optional<ContrastViews> contrast_views(const MarkObservation& observation, MarkImages& images);
 
 // The square's corners, column and row of each, px of the image. Nothing when the outline is no quadrangle.
 std::optional<OutlineInView> quadrangle_of(const ContrastView& view, const OutlineViewParameters& parameters);
