@@ -76,7 +76,10 @@ bool is_plain(const MarkImages& images, double plain_texture) {
   const imaging::ColourSums& inside = images.left_colours.inside;
   const imaging::ColourSums& around = images.left_colours.around;
   double gap_2 = 0.0;
-  for (int channel = 0; channel < 3; ++channel) gap_2 += std::pow(inside.mean(channel) - around.mean(channel), 2);
+  // Of a thin mark nothing is well inside, so that no texture is seen either.
+  for (int channel = 0; inside.count > 0 && around.count > 0 && channel < 3; ++channel) {
+    gap_2 += std::pow(inside.mean(channel) - around.mean(channel), 2);
+  }
   return texture_strength(images.patch.left, images.left.inner) <= plain_texture * std::sqrt(gap_2);
 }
 

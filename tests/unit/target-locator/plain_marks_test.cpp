@@ -55,6 +55,22 @@ TEST(PlainBalls, AreMeasuredAsWellAsTheirPixelsAllowAndSayHowWell) {
   for (const double width_px : {30.0, 100.0}) expect_near_the_bound({PlainForm::kBall, width_px, 0.0}, 1.5);
 }
 
+// Packing makes pixels err together, so that the error is several times the bound of those that do not.
+TEST(PlainMarks, OfFramesPackedAsJpegSayHowWellTheyAreMeasured) {
+  PlainDrawParameters packed;
+  packed.jpeg_quality = 90;
+  double sum = 0.0;
+  const std::vector<PlainCase> cases{
+      {PlainForm::kSquare, 60.0, 0.0}, {PlainForm::kDisc, 60.0, 20.0}, {PlainForm::kBall, 60.0, 0.0}};
+  for (const PlainCase& what : cases) {
+    const PlainTotals totals = totals_of(draw_plain_marks(what, kDraws, kSeed, packed));
+    EXPECT_EQ(totals.missed, 0) << what.name();
+    EXPECT_LT(totals.mean_nees, 8.0) << what.name();
+    sum += totals.mean_nees;
+  }
+  EXPECT_LT(sum / static_cast<double>(cases.size()), 6.0);
+}
+
 // A red mark of 60 px before a grey ground, at 0.6 m: f 600 px, B 60 mm, disparity 60 px.
 class OneMark : public ::testing::Test {
  protected:
@@ -116,7 +132,8 @@ class OneMark : public ::testing::Test {
     const Eigen::Vector3d out = mark_.axes * Eigen::Vector3d(std::cos(turned), 0.0, std::sin(turned));
     const Eigen::Vector3d along = mark_.axes * Eigen::Vector3d(-std::sin(turned), 0.0, std::cos(turned));
     std::vector<cv::Point2d> strip;
-    for (const auto& [outwards, sideways] : {std::pair(0.5 - share, -0.8), {0.5 - share, 0.8}, {0.9, 0.8}, {0.9, -0.8}}) {
+    for (const auto& [outwards, sideways] :
+         {std::pair(0.5 - share, -0.8), {0.5 - share, 0.8}, {0.9, 0.8}, {0.9, -0.8}}) {
       const Eigen::Vector3d p_C = mark_.p_C + mark_.size * (outwards * out + sideways * along);
       strip.push_back(Eye(kCamera, right).image_of(nearer * p_C));
     }
@@ -127,7 +144,8 @@ class OneMark : public ::testing::Test {
     return std::move(view);
   }
   Location locate_hidden(int side, double share, double nearer, double colour) const {
-    return locate(hidden_picture(false, side, share, nearer, colour), hidden_picture(true, side, share, nearer, colour));
+    return locate(hidden_picture(false, side, share, nearer, colour),
+                  hidden_picture(true, side, share, nearer, colour));
   }
 
   double mark_top_px() const {
@@ -211,6 +229,13 @@ TEST_F(OneMark, ThatIsTooSmallForAnOutlineIsMeasuredByItsMiddle) {
   const Location location = locate();
   expect_true(location, Cue::kCentroid);
   EXPECT_NEAR(location.p_C.y(), 0.6, 10e-3);
+}
+
+TEST_F(OneMark, ThatIsSoThinThatNothingIsWellInsideIsMeasuredByItsMiddle) {
+  mark_.size = 0.04;
+  described_.size = 0.0;
+  mark_.axes = Eigen::AngleAxisd(geometry::radians(83.5), Eigen::Vector3d::UnitX()).toRotationMatrix();
+  expect_true(locate(), Cue::kCentroid);
 }
 
 TEST_F(OneMark, IsFoundAtItsCornersByThePapersMethod) {
