@@ -82,11 +82,13 @@ std::optional<OutlineEstimate> locate_by_centroid(const MarkObservation& observa
   // And a slanted or round thing's middle is not the middle of its image, by as much as its nearest and farthest points
   // differ in size to second order.
   const double perspective = std::pow(camera.disparity(point) * area / (4.0 * camera.fx * camera.fx), 2);
+  // Of either view; half of it shifts both alike, so that the disparity has as much of it as a view.
+  const double shift = hidden + perspective;
   Eigen::Matrix3d image = Eigen::Matrix3d::Zero();  // px^2, of (u_left, v, disparity)
-  image(0, 0) = l->variance + hidden + perspective;
-  image(1, 1) = 0.5 * (l->variance + r->variance) + hidden + perspective;
-  image(2, 2) = l->variance + r->variance + hidden + perspective;
-  image(0, 2) = image(2, 0) = l->variance;
+  image(0, 0) = l->variance + shift;
+  image(1, 1) = 0.25 * (l->variance + r->variance) + shift;  // the mean of two
+  image(2, 2) = l->variance + r->variance + shift;
+  image(0, 2) = image(2, 0) = l->variance + 0.5 * shift;
   const Eigen::Matrix3d jacobian = geometry::triangulation_jacobian(camera, point);
   OutlineEstimate estimate;
   estimate.p_C = *p_C;
