@@ -23,7 +23,7 @@ void MarkDetectorNode::add_options(CLI::App& app) {
   add.flag("--no-adapt", no_adapt_, "Keep the marks' colour intervals as they are, whatever the light does");
   add.option("--mark", mark_texts_,
              "Look for this instead of the robot's marks: NAME=hue_min:hue_max:sat_min:sat_max:val_min:val_max"
-             "[:free], hue in degrees (wraps), saturation and value 0 to 1");
+             "[:plane|:free|:ball], hue in degrees (wraps), saturation and value 0 to 1");
   add.option("--min-area", parameters_.views.min_area, "Smallest blob that can be a mark, px")
       .in_range(1, 1'000'000'000)
       .show_default();
