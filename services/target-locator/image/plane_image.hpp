@@ -28,8 +28,9 @@ class PlaneImage {
   void resize(int width_in, int height_in) {
     width = width_in;
     height = height_in;
-    stride_ = static_cast<std::ptrdiff_t>((width + kRoom - 1) / kRoom * kRoom + kRoom);
-    data_.resize(static_cast<std::size_t>(stride_ * height + 3 * kRoom));
+    constexpr std::ptrdiff_t kStep = kRoom;
+    stride_ = (width + kStep - 1) / kStep * kStep + kStep;
+    data_.resize(static_cast<std::size_t>(stride_ * height + 3 * kStep));
   }
 
   float* row(int y) { return data_.data() + kRoom + stride_ * y; }
