@@ -11,7 +11,10 @@ namespace {
 
 constexpr int kWidth = 640;
 constexpr int kHeight = 480;
-constexpr int kRays = 8;
+// Along each axis of a pixel. Fewer on outlines, and a side that lies along the pixels would be drawn off by up to half
+// a step, alike all along it.
+constexpr int kRaysOnOutline = 32;
+constexpr int kRaysElsewhere = 4;
 constexpr int kMargin = 8;  // image px about the box
 constexpr double kPi = 3.14159265358979323846;
 
@@ -112,7 +115,7 @@ RenderedView render_view(const Scene& scene, bool right, int patch_limit) {
         for (const double dv : {-0.5, 0.5})
           corners_on_mark += hits_mark(scene, axes, origin, ray(u + du, v + dv)) ? 1 : 0;
       }
-      const int rays = corners_on_mark % 4 == 0 && scene.hidden_share == 0.0 ? kRays / 2 : kRays;
+      const int rays = corners_on_mark % 4 == 0 && scene.hidden_share == 0.0 ? kRaysElsewhere : kRaysOnOutline;
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (int j = 0; j < rays; ++j) {
         for (int i = 0; i < rays; ++i) {

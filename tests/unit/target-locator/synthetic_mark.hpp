@@ -1,7 +1,7 @@
 #pragma once
 
-// A printed square mark before a wall, seen by two cameras: every image pixel on an outline is the mean of 8 x 8 rays,
-// the others of 4 x 4, so that no interpolation of ours takes part in making the pictures.
+// A printed square mark before a wall, seen by two cameras: every image pixel on an outline is the mean of 32 x 32
+// rays, the others of 4 x 4, so that no interpolation of ours takes part in making the pictures.
 
 #include <Eigen/Core>
 #include <cstdint>
