@@ -1,5 +1,6 @@
 #include "services/target-locator/plausibility.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +12,14 @@ constexpr double kLeastSizeRatio = 0.4;  // of the boxes' widths and heights: sl
 constexpr double kMostRowsApart = 0.5;   // of the taller box, between the boxes' middles
 constexpr double kFarthest = 1e4;        // m along each axis: nothing a robot sees is farther, and no message says so
 constexpr double kLeastKnown = 4e5;      // m^2, of a coordinate: likewise
+constexpr double kRounding = 1e-10;      // of the largest eigenvalue: what rounding leaves of a zero
+
+// Cameras beyond all measure make numbers of which rounding leaves none.
+bool is_covariance(const Eigen::Matrix3d& matrix) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.compute(matrix / matrix.cwiseAbs().maxCoeff(), Eigen::EigenvaluesOnly);
+  return solver.info() == Eigen::Success && solver.eigenvalues().minCoeff() >= -kRounding;
+}
 
 }  // namespace
 
@@ -39,7 +48,7 @@ bool is_possible(const Location& location) {
   const Eigen::Array3d variances = location.covariance.diagonal();
   return p_C.allFinite() && p_C.y() > 0.0 && p_C.cwiseAbs().maxCoeff() <= kFarthest &&
          location.covariance.allFinite() && variances.minCoeff() > 0.0 && variances.maxCoeff() <= kLeastKnown &&
-         location.normal_C.allFinite();
+         is_covariance(location.covariance) && location.normal_C.allFinite();
 }
 
 }  // namespace markservo::target_locator
