@@ -24,6 +24,8 @@ std::optional<Eigen::MatrixXd> derivatives_of(const VectorFunction& function, co
 
 std::optional<LeastSquaresSolution> solve_least_squares(const LeastSquaresProblem& problem) {
   constexpr int kIterations = 6;  // the models are nearly linear over what they have to correct
+  // Of the normal equations in steps of the unknowns, below which rounding decides.
+  constexpr double kLeastReciprocalCondition = 1e-12;
   LeastSquaresSolution solution;
   solution.unknowns = problem.start;
   solution.degrees_of_freedom = static_cast<double>(problem.measured.size() - problem.start.size());
@@ -36,13 +38,17 @@ std::optional<LeastSquaresSolution> solve_least_squares(const LeastSquaresProble
     if (k == kIterations) break;
     const auto jacobian = derivatives_of(problem.predict, solution.unknowns, problem.step);
     if (!jacobian) return std::nullopt;
-    const Eigen::MatrixXd weighted = jacobian->transpose() * problem.information;
-    const Eigen::LDLT<Eigen::MatrixXd> solver(weighted * *jacobian);
+    const auto in_steps = problem.step.asDiagonal();
+    const Eigen::MatrixXd by_steps = *jacobian * in_steps;
+    const Eigen::MatrixXd weighted = by_steps.transpose() * problem.information;
+    const Eigen::LDLT<Eigen::MatrixXd> solver(weighted * by_steps);
     if (solver.info() != Eigen::Success || !solver.isPositive()) return std::nullopt;
-    const Eigen::VectorXd change = solver.solve(weighted * residual);
+    if (!(solver.rcond() > kLeastReciprocalCondition)) return std::nullopt;
+    const Eigen::VectorXd change = in_steps * solver.solve(weighted * residual);
     if (!change.allFinite()) return std::nullopt;
     solution.unknowns += change;
-    solution.covariance = solver.solve(Eigen::MatrixXd::Identity(problem.start.size(), problem.start.size()));
+    const Eigen::MatrixXd inverse = solver.solve(Eigen::MatrixXd::Identity(problem.start.size(), problem.start.size()));
+    solution.covariance = in_steps * inverse * in_steps;
   }
   if (!solution.covariance.allFinite()) return std::nullopt;
   return solution;
