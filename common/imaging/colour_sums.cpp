@@ -29,9 +29,11 @@ void add_pixel(const std::uint8_t* p, std::int64_t* totals) {
   for (std::size_t k = 0; k < kSums; ++k) totals[k] += values[k];
 }
 
-// Adds the pixels from `bgr` on whose bits are set in `lanes`.
+// Adds the pixels from `bgr` on whose bits are set in `lanes`. Vectors whose length shows at run time (SVE) cannot be
+// an array's elements, so each sum is a variable.
 template <class V>
-HWY_INLINE void AddLanes(Wide d, const std::uint8_t* bgr, std::uint64_t lanes, V* sums) {
+HWY_INLINE void AddLanes(Wide d, const std::uint8_t* bgr, std::uint64_t lanes, V& count, V& sum_b, V& sum_g, V& sum_r,
+                         V& sum_bb, V& sum_bg, V& sum_br, V& sum_gg, V& sum_gr, V& sum_rr) {
   const Bytes bytes;
   std::uint8_t mask_bytes[8];
   std::memcpy(mask_bytes, &lanes, sizeof lanes);
@@ -43,16 +45,31 @@ HWY_INLINE void AddLanes(Wide d, const std::uint8_t* bgr, std::uint64_t lanes, V
   const auto b = hn::IfThenElseZero(wanted, hn::PromoteTo(d, b8));
   const auto g = hn::IfThenElseZero(wanted, hn::PromoteTo(d, g8));
   const auto r = hn::IfThenElseZero(wanted, hn::PromoteTo(d, r8));
-  sums[0] = hn::Add(sums[0], hn::IfThenElseZero(wanted, hn::Set(d, 1)));
-  sums[1] = hn::Add(sums[1], b);
-  sums[2] = hn::Add(sums[2], g);
-  sums[3] = hn::Add(sums[3], r);
-  sums[4] = hn::Add(sums[4], hn::Mul(b, b));
-  sums[5] = hn::Add(sums[5], hn::Mul(b, g));
-  sums[6] = hn::Add(sums[6], hn::Mul(b, r));
-  sums[7] = hn::Add(sums[7], hn::Mul(g, g));
-  sums[8] = hn::Add(sums[8], hn::Mul(g, r));
-  sums[9] = hn::Add(sums[9], hn::Mul(r, r));
+  count = hn::Add(count, hn::IfThenElseZero(wanted, hn::Set(d, 1)));
+  sum_b = hn::Add(sum_b, b);
+  sum_g = hn::Add(sum_g, g);
+  sum_r = hn::Add(sum_r, r);
+  sum_bb = hn::Add(sum_bb, hn::Mul(b, b));
+  sum_bg = hn::Add(sum_bg, hn::Mul(b, g));
+  sum_br = hn::Add(sum_br, hn::Mul(b, r));
+  sum_gg = hn::Add(sum_gg, hn::Mul(g, g));
+  sum_gr = hn::Add(sum_gr, hn::Mul(g, r));
+  sum_rr = hn::Add(sum_rr, hn::Mul(r, r));
+}
+
+// Moves what the lanes of a sum hold to its total.
+template <class V>
+HWY_INLINE void Drain(Wide d, V& sum, std::int64_t& total) {
+  HWY_ALIGN std::int32_t lanes[16];
+  hn::Store(sum, d, lanes);
+  for (std::size_t i = 0; i < hn::Lanes(d); ++i) total += lanes[i];
+  sum = hn::Zero(d);
+}
+
+// The same of several, whose totals lie one after the other.
+template <class... V>
+HWY_INLINE void DrainAll(Wide d, std::int64_t* totals, V&... sums) {
+  (Drain(d, sums, *totals++), ...);
 }
 
 void AddColours(const std::uint8_t* bgr, std::ptrdiff_t stride, const BitMask& mask, int row_step,
@@ -60,16 +77,16 @@ void AddColours(const std::uint8_t* bgr, std::ptrdiff_t stride, const BitMask& m
   const int width = mask.width();
   const Wide d;
   const int n = static_cast<int>(hn::Lanes(d));
-  decltype(hn::Zero(d)) sums[kSums];
-  for (auto& sum : sums) sum = hn::Zero(d);
-  const auto flush = [&] {
-    for (std::size_t k = 0; k < kSums; ++k) {
-      HWY_ALIGN std::int32_t lanes[16];
-      hn::Store(sums[k], d, lanes);
-      for (int i = 0; i < n; ++i) totals[k] += lanes[i];
-      sums[k] = hn::Zero(d);
-    }
-  };
+  auto count = hn::Zero(d);
+  auto b = hn::Zero(d);
+  auto g = hn::Zero(d);
+  auto r = hn::Zero(d);
+  auto bb = hn::Zero(d);
+  auto bg = hn::Zero(d);
+  auto br = hn::Zero(d);
+  auto gg = hn::Zero(d);
+  auto gr = hn::Zero(d);
+  auto rr = hn::Zero(d);
   // 2^31 / 255^2 = 33025 products fit a lane.
   constexpr int kWordsPerFlush = 33025 / kWordBits;
   int words = 0;
@@ -90,15 +107,15 @@ void AddColours(const std::uint8_t* bgr, std::ptrdiff_t stride, const BitMask& m
         // The last vector of a row begins earlier, with its first lanes off.
         const int at = std::min(u, width - n);
         const std::uint64_t lanes = here << (u - at);
-        AddLanes(d, bgr + 3 * static_cast<std::ptrdiff_t>(at), lanes, sums);
+        AddLanes(d, bgr + 3 * static_cast<std::ptrdiff_t>(at), lanes, count, b, g, r, bb, bg, br, gg, gr, rr);
       }
       if (++words == kWordsPerFlush) {
-        flush();
+        DrainAll(d, totals, count, b, g, r, bb, bg, br, gg, gr, rr);
         words = 0;
       }
     }
   }
-  flush();
+  DrainAll(d, totals, count, b, g, r, bb, bg, br, gg, gr, rr);
 }
 
 }  // namespace markservo::imaging::HWY_NAMESPACE

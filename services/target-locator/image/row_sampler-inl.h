@@ -35,7 +35,7 @@ HWY_INLINE V cubic(V p0, V p1, V p2, V p3, V f) {
 HWY_INLINE hn::Vec<Floats> sample_row(const float* row, int width, float x0, float step) {
   const Floats d;
   const hn::RebindToSigned<Floats> di;
-  [[maybe_unused]] constexpr int kLanes = HWY_LANES(float) < PlaneImage::kRoom ? HWY_LANES(float) : PlaneImage::kRoom;
+  [[maybe_unused]] const int lanes = static_cast<int>(hn::Lanes(d));  // known to the compiler but for SVE
   // Also of what is no number.
   constexpr float kFar = 1e6F;
   x0 = x0 > -kFar ? std::min(x0, kFar) : -kFar;
@@ -45,18 +45,18 @@ HWY_INLINE hn::Vec<Floats> sample_row(const float* row, int width, float x0, flo
   const auto whole = hn::ConvertTo(di, x);
   const auto f = hn::Sub(x, hn::ConvertTo(d, whole));
 #if HWY_TARGET != HWY_SCALAR
-  if constexpr (kLanes >= 8) {
+  if (lanes >= 8) {
     // Neighbours are near each other: two vectors of the row hold all pixels that are needed.
     const int first = static_cast<int>(std::clamp(x0, 1.0F, static_cast<float>(width - 3))) - 1;
-    const float reach = step * static_cast<float>(kLanes - 1);
-    if (reach >= 0.0F && reach < static_cast<float>(2 * kLanes - 4)) {
+    const float reach = step * static_cast<float>(lanes - 1);
+    if (reach >= 0.0F && reach < static_cast<float>(2 * lanes - 4)) {
       const auto low = hn::LoadU(d, row + first);
-      const auto high = hn::LoadU(d, row + std::min(first + kLanes, width));
+      const auto high = hn::LoadU(d, row + std::min(first + lanes, width));
       const auto at = hn::Sub(whole, hn::Set(di, first + 1));
       const auto tap = [&](int k) {
         const auto index = hn::Add(at, hn::Set(di, k));
-        const auto in_low = hn::RebindMask(d, hn::Gt(hn::Set(di, kLanes), index));
-        const auto lane = hn::IndicesFromVec(d, hn::And(index, hn::Set(di, kLanes - 1)));
+        const auto in_low = hn::RebindMask(d, hn::Gt(hn::Set(di, lanes), index));
+        const auto lane = hn::IndicesFromVec(d, hn::And(index, hn::Set(di, lanes - 1)));
         return hn::IfThenElse(in_low, hn::TableLookupLanes(low, lane), hn::TableLookupLanes(high, lane));
       };
       return cubic(tap(0), tap(1), tap(2), tap(3), f);

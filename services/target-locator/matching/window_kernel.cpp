@@ -21,29 +21,21 @@ HWY_INLINE hn::Mask<Floats> mask_of(std::uint32_t bits) {
   return hn::LoadMaskBits(Floats(), bytes);
 }
 
-// Sums of a quantity times powers of dv, lane by lane; a lane has one du.
-struct Columns {
-  hn::Vec<Floats> plain;
-  hn::Vec<Floats> once;
-  hn::Vec<Floats> twice;
+// Sums of a quantity times 1 and dv, lane by lane; a lane has one du. Vectors whose length shows at run time (SVE)
+// cannot be members or elements, so each sum is a variable.
+template <class V>
+HWY_INLINE void add_first(V q, V dv, V& plain, V& once) {
+  plain = hn::Add(plain, q);
+  once = hn::MulAdd(q, dv, once);
+}
 
-  template <class V>
-  HWY_INLINE void add(V q, V dv) {
-    const auto q_dv = hn::Mul(q, dv);
-    plain = hn::Add(plain, q);
-    once = hn::Add(once, q_dv);
-    twice = hn::MulAdd(q_dv, dv, twice);
-  }
-  template <class V>
-  HWY_INLINE void add_first(V q, V dv) {
-    plain = hn::Add(plain, q);
-    once = hn::MulAdd(q, dv, once);
-  }
-};
-
-HWY_INLINE Columns no_columns() {
-  const Floats d;
-  return {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+// The same times dv^2 as well.
+template <class V>
+HWY_INLINE void add(V q, V dv, V& plain, V& once, V& twice) {
+  const auto q_dv = hn::Mul(q, dv);
+  plain = hn::Add(plain, q);
+  once = hn::Add(once, q_dv);
+  twice = hn::MulAdd(q_dv, dv, twice);
 }
 
 template <class V>
@@ -53,18 +45,18 @@ HWY_INLINE float total(V lanes) {
 }
 
 template <class V>
-HWY_INLINE void collect_first(const Columns& columns, V du, WindowMoments& moments) {
-  moments[0] += total(columns.plain);
-  moments[1] += total(hn::Mul(columns.plain, du));
-  moments[2] += total(columns.once);
+HWY_INLINE void collect_first(V du, V plain, V once, WindowMoments& moments) {
+  moments[0] += total(plain);
+  moments[1] += total(hn::Mul(plain, du));
+  moments[2] += total(once);
 }
 
 template <class V>
-HWY_INLINE void collect(const Columns& columns, V du, WindowMoments& moments) {
-  collect_first(columns, du, moments);
-  moments[3] += total(hn::Mul(hn::Mul(columns.plain, du), du));
-  moments[4] += total(hn::Mul(columns.once, du));
-  moments[5] += total(columns.twice);
+HWY_INLINE void collect(V du, V plain, V once, V twice, WindowMoments& moments) {
+  collect_first(du, plain, once, moments);
+  moments[3] += total(hn::Mul(hn::Mul(plain, du), du));
+  moments[4] += total(hn::Mul(once, du));
+  moments[5] += total(twice);
 }
 
 HWY_INLINE hn::Vec<Floats> du_of(const WindowFrame& window, int lane) {
@@ -83,10 +75,16 @@ WindowSums SumWindow(const PlaneImage& left, const PlaneImage& gradient, const W
     auto n = hn::Zero(d);
     auto grey_sum = hn::Zero(d);
     auto grey_squares = hn::Zero(d);
-    Columns of_gradient = no_columns();
-    Columns of_grey = no_columns();
-    Columns newton = no_columns();
-    Columns information = no_columns();
+    auto gradient_plain = hn::Zero(d);
+    auto gradient_once = hn::Zero(d);
+    auto product_plain = hn::Zero(d);
+    auto product_once = hn::Zero(d);
+    auto newton_plain = hn::Zero(d);
+    auto newton_once = hn::Zero(d);
+    auto newton_twice = hn::Zero(d);
+    auto information_plain = hn::Zero(d);
+    auto information_once = hn::Zero(d);
+    auto information_twice = hn::Zero(d);
     for (int j = 0; j < window.height; ++j) {
       const auto used = mask_of(static_cast<std::uint32_t>(window.used[static_cast<std::size_t>(j)]) >> lane);
       const float* p = left.row(window.row + j) + window.column + lane;
@@ -98,19 +96,19 @@ WindowSums SumWindow(const PlaneImage& left, const PlaneImage& gradient, const W
       n = hn::Add(n, hn::IfThenElseZero(used, hn::Set(d, 1.0F)));
       grey_sum = hn::Add(grey_sum, grey);
       grey_squares = hn::MulAdd(grey, grey, grey_squares);
-      of_gradient.add_first(g, dv);
-      of_grey.add_first(hn::Mul(g, grey), dv);
-      newton.add(hn::IfThenElseZero(used, hn::Mul(g, slope)), dv);
-      information.add(hn::Mul(g, g), dv);
+      add_first(g, dv, gradient_plain, gradient_once);
+      add_first(hn::Mul(g, grey), dv, product_plain, product_once);
+      add(hn::IfThenElseZero(used, hn::Mul(g, slope)), dv, newton_plain, newton_once, newton_twice);
+      add(hn::Mul(g, g), dv, information_plain, information_once, information_twice);
     }
     const auto du = du_of(window, lane);
     sums.n += total(n);
     sums.grey += total(grey_sum);
     sums.grey_squares += total(grey_squares);
-    collect_first(of_gradient, du, sums.gradient);
-    collect_first(of_grey, du, sums.gradient_grey);
-    collect(newton, du, sums.newton);
-    collect(information, du, sums.information);
+    collect_first(du, gradient_plain, gradient_once, sums.gradient);
+    collect_first(du, product_plain, product_once, sums.gradient_grey);
+    collect(du, newton_plain, newton_once, newton_twice, sums.newton);
+    collect(du, information_plain, information_once, information_twice, sums.information);
   }
   return sums;
 }
@@ -127,7 +125,8 @@ ComparisonSums CompareWindow(const PlaneImage& left, const PlaneImage& gradient,
     auto right_sum = hn::Zero(d);
     auto squares = hn::Zero(d);
     auto product = hn::Zero(d);
-    Columns of_right = no_columns();
+    auto of_right_plain = hn::Zero(d);
+    auto of_right_once = hn::Zero(d);
     for (int j = 0; j < window.height; ++j) {
       const auto used = mask_of(static_cast<std::uint32_t>(window.used[static_cast<std::size_t>(j)]) >> lane);
       const float dv = window.dv + static_cast<float>(j) * window.scale;
@@ -140,12 +139,12 @@ ComparisonSums CompareWindow(const PlaneImage& left, const PlaneImage& gradient,
       right_sum = hn::Add(right_sum, right);
       squares = hn::MulAdd(right, right, squares);
       product = hn::MulAdd(right, grey, product);
-      of_right.add_first(hn::IfThenElseZero(used, hn::Mul(g, right)), hn::Set(d, dv));
+      add_first(hn::IfThenElseZero(used, hn::Mul(g, right)), hn::Set(d, dv), of_right_plain, of_right_once);
     }
     sums.right += total(right_sum);
     sums.squares += total(squares);
     sums.product += total(product);
-    collect_first(of_right, du_of(window, lane), sums.gradient_right);
+    collect_first(du_of(window, lane), of_right_plain, of_right_once, sums.gradient_right);
   }
   return sums;
 }

@@ -160,39 +160,56 @@ ResidualSums SumResiduals(const PlaneTemplate& t, const float* warped, float gai
   return sums;
 }
 
+// The derivatives of a block of pixels: six with Sobel's gradient, then three with the plain difference, which are only
+// multiplied by the six.
+constexpr std::size_t kPartners = 3;
+
+// Adds the products of `row` with itself and with the rows after it to as many sums, of kLanes each. In memory, for
+// they are more than there are registers, and vectors whose length shows at run time (SVE) cannot be an array's
+// elements.
+template <class V, class... Rows>
+HWY_INLINE float* add_products_of(float* sums, V row, Rows... after) {
+  const Floats d;
+  const auto add = [&](V other) {
+    hn::Store(hn::MulAdd(row, other, hn::Load(d, sums)), d, sums);
+    sums += PlaneTemplate::kLanes;
+  };
+  add(row);
+  (add(after), ...);
+  return sums;
+}
+
+// The same of each row but the partners: sums row by row.
+template <class V, class... Rows>
+HWY_INLINE void add_products(float* sums, V row, Rows... after) {
+  sums = add_products_of(sums, row, after...);
+  if constexpr (sizeof...(after) > kPartners) add_products(sums, after...);
+}
+
 DerivativeSums SumDerivatives(const PlaneTemplate& t) {
   const Floats d;
-  // The derivatives of a block of pixels: six with Sobel's gradient, then three with the plain difference.
-  constexpr std::size_t kRows = kPlaneParameters + 3;
-  decltype(hn::Zero(d)) sums[kPlaneParameters][kRows];
-  for (auto& row : sums) {
-    for (auto& sum : row) sum = hn::Zero(d);
-  }
+  constexpr std::size_t kSums = kPlaneParameters * (kPlaneParameters + 1) / 2 + kPlaneParameters * kPartners;
+  HWY_ALIGN float sums[kSums * PlaneTemplate::kLanes] = {};
   for (std::size_t i = 0; i < t.padded(); i += hn::Lanes(d)) {
     const auto weight = hn::LoadU(d, &t.weight[i]);
     const auto u = hn::LoadU(d, &t.along_u[i]);
     const auto v = hn::LoadU(d, &t.along_v[i]);
     const auto gradient = hn::Neg(hn::Mul(weight, hn::LoadU(d, &t.gradient_u[i])));
     const auto slope = hn::Neg(hn::Mul(weight, hn::LoadU(d, &t.slope_u[i])));
-    const decltype(hn::Zero(d)) rows[kRows] = {gradient,
-                                               hn::Mul(gradient, u),
-                                               hn::Mul(gradient, v),
-                                               hn::Neg(hn::Mul(weight, hn::LoadU(d, &t.grey[i]))),
-                                               hn::Neg(weight),
-                                               hn::Neg(hn::Mul(weight, hn::LoadU(d, &t.gradient_v[i]))),
-                                               slope,
-                                               hn::Mul(slope, u),
-                                               hn::Mul(slope, v)};
-    for (std::size_t a = 0; a < kPlaneParameters; ++a) {
-      for (std::size_t b = a; b < kRows; ++b) sums[a][b] = hn::MulAdd(rows[a], rows[b], sums[a][b]);
-    }
+    add_products(sums, gradient, hn::Mul(gradient, u), hn::Mul(gradient, v),
+                 hn::Neg(hn::Mul(weight, hn::LoadU(d, &t.grey[i]))), hn::Neg(weight),
+                 hn::Neg(hn::Mul(weight, hn::LoadU(d, &t.gradient_v[i]))), slope, hn::Mul(slope, u), hn::Mul(slope, v));
   }
   DerivativeSums result;
+  const float* sum = sums;
+  const auto next = [&] {
+    const double of_lanes = sum_of(hn::Load(d, sum));
+    sum += PlaneTemplate::kLanes;
+    return of_lanes;
+  };
   for (std::size_t a = 0; a < kPlaneParameters; ++a) {
-    for (std::size_t b = a; b < kPlaneParameters; ++b) {
-      result.information[a][b] = result.information[b][a] = sum_of(sums[a][b]);
-    }
-    for (std::size_t b = 0; b < 3; ++b) result.cross[a][b] = sum_of(sums[a][kPlaneParameters + b]);
+    for (std::size_t b = a; b < kPlaneParameters; ++b) result.information[a][b] = result.information[b][a] = next();
+    for (std::size_t b = 0; b < kPartners; ++b) result.cross[a][b] = next();
   }
   return result;
 }
