@@ -17,6 +17,12 @@ function(markservo_precompile name header)
   endif()
 endfunction()
 
+# markservo_vector_code(a.cpp ...): these sources of this folder are compiled once for each vector instruction set (Highway),
+# and without the precompiled header: behind one GCC 12 ends with an internal error at the intrinsics of ARM's SVE.
+function(markservo_vector_code)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
 # markservo_library(name SOURCES a.cpp ... LINK lib ... LINK_PRIVATE lib ...): a static library. LINK: what its headers
 # need as well.
 function(markservo_library name)
