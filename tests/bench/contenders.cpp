@@ -93,7 +93,8 @@ void add_references(const std::vector<scenes::StereoPair>& pairs, const std::vec
 }  // namespace
 
 VectorTargets vector_targets() {
-  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();  // the lower the better
+  std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();  // the lower the better
+  if (targets.empty()) targets.push_back(HWY_STATIC_TARGET);                // ARM without AES: plain NEON
   VectorTargets result;
   result.best = *std::min_element(targets.begin(), targets.end());
   result.portable = *std::max_element(targets.begin(), targets.end());
