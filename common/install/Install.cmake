@@ -38,7 +38,8 @@ configure_file(scripts/lib/installed.sh.in ${written}/installed.sh @ONLY)
 file(CREATE_LINK ${command_from_bin} ${written}/markservo SYMBOLIC)
 install(DIRECTORY scripts/ DESTINATION ${share}/scripts USE_SOURCE_PERMISSIONS COMPONENT runtime
   REGEX "/scripts/(bench|build|check|experiment|install|test)$" EXCLUDE
-  REGEX "/scripts/lib/(bench-start|breaches\\.sh|check-files|check-layers|installed\\.sh\\.in|java-types|tidy-one)$" EXCLUDE)
+  REGEX "/scripts/packages-arm64\\.txt$" EXCLUDE
+  REGEX "/scripts/lib/(arm64-[a-z]+|bench-start|breaches\\.sh|check-files|check-layers|debian-mirror\\.sh|installed\\.sh\\.in|java-types|tidy-one)$" EXCLUDE)
 install(FILES ${written}/installed.sh DESTINATION ${share}/scripts/lib COMPONENT runtime)
 install(PROGRAMS ${written}/markservo DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 

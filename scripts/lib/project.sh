@@ -65,10 +65,11 @@ usage_error() {
   exit 2
 }
 
-# required_packages: the names in scripts/packages.txt, one a line; in an installed tree those that it cannot run without.
+# required_packages: the names in the lists of packages, one a line; in an installed tree those that it cannot run without.
+package_lists=("$repository/scripts/packages.txt")
 required_packages() {
   awk -v installed="$installed" '{ sub(/#.*/, "") } NF && (installed == "no" || $2 == "Depends") { print $1 }' \
-    "$repository/scripts/packages.txt"
+    "${package_lists[@]}"
 }
 
 # missing_packages: those of them that are not installed, one a line; nothing where dpkg does not exist.
@@ -86,7 +87,7 @@ warn_of_missing_packages() {
   local missing
   missing=$(missing_packages | paste -sd ' ')
   if [[ -n $missing ]]; then
-    warn "missing packages: $missing (scripts/install installs them)"
+    warn "missing packages: $missing (${install_command:-scripts/install} installs them)"
   fi
 }
 
