@@ -55,7 +55,10 @@ void add_marks(const robot::CameraDescription& cameras, const std::vector<robot:
     const double row = (static_cast<double>(i) + 0.5) / static_cast<double>(marks.size()) * cameras.height;
     // Far enough to the right to be seen by the right camera as well, 231 px to the left at 220 mm.
     const double column = draw(0.47, 0.90) * cameras.width;
-    const Eigen::Vector3d centre = point_at(cameras.stereo, column, row + draw(-10.0, 10.0), draw(0.22, 0.30));
+    // One by one: in which order arguments are evaluated, compilers for other processors decide otherwise.
+    const double depth = draw(0.22, 0.30);
+    const double off_row = draw(-10.0, 10.0);
+    const Eigen::Vector3d centre = point_at(cameras.stereo, column, row + off_row, depth);
     const double roll_deg = draw(-10.0, 10.0);
     const double pitch_deg = draw(-12.0, 12.0);
     const double yaw_deg = draw(-18.0, 18.0);
