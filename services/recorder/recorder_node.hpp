@@ -8,7 +8,7 @@
 #include "services/recorder/logger/logger_runs_node.hpp"
 #include "services/recorder/manifest/manifest.hpp"
 #include "services/recorder/recorder_options.hpp"
-#include "services/recorder/recorder_word.hpp"
+#include "services/recorder/recorder_status_node.hpp"
 #include "services/recorder/recording_end.hpp"
 #include "services/recorder/signal_queue.hpp"
 
@@ -46,7 +46,7 @@ class RecorderNode {
   SignalQueue& signals_;
   RecordingFolder folder_;
   LoggerRuns runs_;
-  std::optional<RecorderWord> word_;  // once there is a bus
+  std::optional<RecorderStatusNode> word_;  // once there is a bus
   Json manifest_;
   std::int64_t began_us_ = 0;  // of a clock that nobody sets
   std::int64_t free_mb_ = 0;

@@ -1,4 +1,4 @@
-#include "services/recorder/recorder_word.hpp"
+#include "services/recorder/recorder_status_node.hpp"
 
 #include <markservo/RecorderStatus.hpp>
 #include <utility>
@@ -28,10 +28,10 @@ bool is_news(const RecordingWord& told, const RecordingWord& word) {
 
 }  // namespace
 
-RecorderWord::RecorderWord(const RecordingPlan& plan, std::string folder)
+RecorderStatusNode::RecorderStatusNode(const RecordingPlan& plan, std::string folder)
     : folder_(std::move(folder)), bus_(bus_of(plan)), statuses_(bus_.advertise(channels::kRecorderStatus)) {}
 
-void RecorderWord::tell(const RecordingWord& word, std::int64_t steady_us) {
+void RecorderStatusNode::tell(const RecordingWord& word, std::int64_t steady_us) {
   if (told_ && !is_news(*told_, word) && steady_us - told_us_ < kPeriod_us) return;
   told_ = word;
   told_us_ = steady_us;

@@ -20,10 +20,10 @@ struct RecordingWord {
 
 // Says on the bus that is recorded how the recording is: RECORDER_STATUS. What the network does not take is missing,
 // and harms nothing else.
-class RecorderWord {
+class RecorderStatusNode {
  public:
   // `folder`: where it records to.
-  RecorderWord(const RecordingPlan& plan, std::string folder);
+  RecorderStatusNode(const RecordingPlan& plan, std::string folder);
 
   // Says it once a second, and at once where more than its numbers changed. `steady_us`: of a clock that nobody sets.
   void tell(const RecordingWord& word, std::int64_t steady_us);
