@@ -1,5 +1,6 @@
 #include "services/stack-watch/process_watch.hpp"
 
+#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -20,7 +21,7 @@ const std::set<int>& final_codes() {
 }
 
 std::string seconds_text(double seconds) {
-  return std::to_string(static_cast<int>(seconds + 0.5)) + " s";
+  return std::to_string(std::lround(seconds)) + " s";
 }
 
 std::string left_with(int code) {
