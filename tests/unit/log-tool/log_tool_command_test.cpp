@@ -62,6 +62,7 @@ TEST_F(LogTool, SaysThatALogMayNotBeRead) {
   fs::permissions(path("log"), fs::perms::none);
   // Root may read all: then somebody else asks.
   const std::string who = geteuid() == 0 ? "setpriv --reuid=65534 --clear-groups " : "";
+  if (test::run_command(who + "true").exit_code != 0) GTEST_SKIP() << "root alone is known here";
   fs::permissions(folder_, fs::perms::all);
   const CommandResult result = test::run_command("cd / && cp " MARKSERVO_BIN_DIR "/log-tool " + path("tool") + " && " +
                                                  who + path("tool") + " info " + path("log"));
