@@ -165,8 +165,8 @@ RenderedView render_view(const Scene& scene, bool right, int patch_limit) {
   patch.height = cut.height / scale;
   patch.frame = {static_cast<double>(u0 + cut.x), static_cast<double>(v0 + cut.y), static_cast<double>(scale)};
   const int stride = (patch.width + 7) / 8;
-  out.bgr.resize(static_cast<std::size_t>(patch.width * patch.height * 3));
-  out.mask.assign(static_cast<std::size_t>(stride * patch.height), 0);
+  out.bgr.resize(std::size_t{3} * static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height));
+  out.mask.assign(static_cast<std::size_t>(stride) * static_cast<std::size_t>(patch.height), 0);
   for (int y = 0; y < patch.height; ++y) {
     for (int x = 0; x < patch.width; ++x) {
       int sum[3] = {0, 0, 0};
@@ -179,12 +179,14 @@ RenderedView render_view(const Scene& scene, bool right, int patch_limit) {
           inside += labels(row, column) == largest ? 1 : 0;
         }
       }
-      const auto at = static_cast<std::size_t>(3 * (y * patch.width + x));
+      const auto at =
+          3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(patch.width) + static_cast<std::size_t>(x));
       for (std::size_t k = 0; k < 3; ++k) {
         out.bgr[at + k] = static_cast<std::uint8_t>((sum[k] + scale * scale / 2) / (scale * scale));
       }
       if (2 * inside > scale * scale) {
-        std::uint8_t& bits = out.mask[static_cast<std::size_t>(y * stride + x / 8)];
+        std::uint8_t& bits =
+            out.mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(x) / 8];
         bits = static_cast<std::uint8_t>(bits | (1U << (x % 8)));
       }
     }
