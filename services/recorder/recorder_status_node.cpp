@@ -1,9 +1,11 @@
 #include "services/recorder/recorder_status_node.hpp"
 
-#include <markservo/RecorderStatus.hpp>
+#include <chrono>
+#include <markservo/channels.hpp>
 #include <utility>
 
 #include "common/bus/host_name.hpp"
+#include "common/bus/session.hpp"
 #include "common/time/clocks.hpp"
 
 namespace markservo::recorder {
@@ -12,14 +14,8 @@ namespace {
 constexpr std::int64_t kPeriod_us = 1'000'000;
 constexpr std::int64_t kMegabyte = 1'000'000;
 
-bus::BusParameters bus_of(const RecordingPlan& plan) {
-  bus::BusParameters parameters;
-  parameters.urls = {plan.lcm_url, plan.lcm_url};
-  parameters.service_name = "recorder";
-  parameters.robot = plan.robot;
-  parameters.heartbeat = false;
-  parameters.waits_for_network = true;
-  return parameters;
+std::string channel_of(const std::string& robot) {
+  return (robot.empty() ? "" : robot + "/") + std::string(channels::kRecorderStatus.name);
 }
 
 bool is_news(const RecordingWord& told, const RecordingWord& word) {
@@ -29,7 +25,15 @@ bool is_news(const RecordingWord& told, const RecordingWord& word) {
 }  // namespace
 
 RecorderStatusNode::RecorderStatusNode(const RecordingPlan& plan, std::string folder)
-    : folder_(std::move(folder)), bus_(bus_of(plan)), statuses_(bus_.advertise(channels::kRecorderStatus)) {}
+    : folder_(std::move(folder)),
+      bus_(plan.lcm_url, nullptr),
+      statuses_(this, channel_of(plan.robot), bus::random_session()) {}
+
+bool RecorderStatusNode::send(const bus::Outgoing& message) {
+  const auto now = std::chrono::steady_clock::now();
+  bus_.mend(now);
+  return bus_.publish(message, now);
+}
 
 void RecorderStatusNode::tell(const RecordingWord& word, std::int64_t steady_us) {
   if (told_ && !is_news(*told_, word) && steady_us - told_us_ < kPeriod_us) return;
