@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "services/target-locator/image/mask_moments.hpp"
+
 namespace markservo::target_locator {
 namespace {
 
@@ -50,8 +52,17 @@ std::optional<Centroid> centroid_of(const ContrastView& view, const MarkMasks& m
   return centroid;
 }
 
-// Of the mark's edge, relative: what the area lacks, or may lack.
-double missing_of(const MarkObservation& observation, double area, double disparity,
+// How narrow a mask is: its least extent over its largest, [0, 1].
+double narrowness(const Mask& mask) {
+  const MaskMoments moments = moments_of(mask);
+  const double middle = 0.5 * (moments.xx + moments.yy);
+  const double half = std::hypot(0.5 * (moments.xx - moments.yy), moments.xy);
+  return middle + half > 0.0 ? std::sqrt(std::max(0.0, middle - half) / (middle + half)) : 0.0;
+}
+
+// Of the mark's edge, relative: what the area lacks, or may lack. What is slanted or hidden is narrower by as much: a
+// narrow thing of the right area is another one.
+double missing_of(const MarkObservation& observation, double area, double narrow, double disparity,
                   const geometry::StereoCamera& camera, double unknown) {
   const bool any_shape = observation.surface == Surface::kFree ||
                          (observation.surface == Surface::kPlane && observation.outline == Outline::kOther);
@@ -59,7 +70,7 @@ double missing_of(const MarkObservation& observation, double area, double dispar
   const bool square = observation.surface == Surface::kPlane && observation.outline == Outline::kSquare;
   const double edge = observation.size * disparity / camera.baseline;  // px
   const double expected = (square ? 1.0 : M_PI / 4.0) * edge * edge;
-  return std::abs(1.0 - std::sqrt(area / expected));
+  return std::max(std::abs(1.0 - std::sqrt(area / expected)), 1.0 - std::sqrt(narrow));
 }
 
 }  // namespace
@@ -75,7 +86,9 @@ std::optional<OutlineEstimate> locate_by_centroid(const MarkObservation& observa
   const auto p_C = geometry::triangulate(camera, point);
   if (!p_C) return std::nullopt;
   const double area = 0.5 * (l->area + r->area);
-  const double missing = missing_of(observation, area, camera.disparity(point), camera, parameters.unknown_missing);
+  const double narrow = std::min(narrowness(images.left.mask), narrowness(images.right.mask));
+  const double missing =
+      missing_of(observation, area, narrow, camera.disparity(point), camera, parameters.unknown_missing);
   if (!(missing <= parameters.most_missing)) return std::nullopt;
   // A hidden strip shifts a view's middle by half its width.
   const double hidden = std::pow(0.5 * missing, 2) * area;

@@ -238,6 +238,17 @@ TEST_F(OneMark, ThatIsSoThinThatNothingIsWellInsideIsMeasuredByItsMiddle) {
   expect_true(locate(), Cue::kCentroid);
 }
 
+// Something of the mark's colour far behind it can be as large as the mark would be there.
+TEST_F(OneMark, IsNotTakenForANarrowThingOfItsColourAndArea) {
+  mark_.size = 0.04;
+  for (const double share : {0.6, 0.65, 0.7}) {
+    described_.size = mark_.size * std::sqrt(1.0 - share);
+    for (int side = 0; side < 4; ++side) {
+      EXPECT_NE(locate_hidden(side, share, 1.0, 120.0).status, Status::kLocated) << share << " " << side;
+    }
+  }
+}
+
 TEST_F(OneMark, IsSurerInItsRowByTheMeanOfBothViewsMiddlesThanInItsColumn) {
   mark_.size = 0.008;
   described_.size = 0.0088;  // as it looks in its blur, so that nothing seems to be missing
