@@ -9,6 +9,7 @@
 #include <markservo/WheelOdometry.hpp>
 
 #include "common/robot/robot_description.hpp"
+#include "tests/unit/rfid-localizer/tag_round.hpp"
 
 namespace markservo::rfid_localizer::test {
 
@@ -38,21 +39,11 @@ class IdealDrive {
 
   // Number `number` of 10 a second, from 1 on; its middle is the reader's delay before `utime`.
   RfidTagHits hits(std::int64_t number) const {
-    RfidTagHits message{};
-    message.utime = kEpoch + 200'000 + number * 100'000;
+    const std::int64_t utime = kEpoch + 200'000 + number * 100'000;
+    const double time = 1e-6 * static_cast<double>(utime - kEpoch) - robot_.rfid->delay;
+    RfidTagHits message = tag_round(robot_, "", {x(), y(time)}, utime);
     message.session = kSession;
     message.seq = number;
-    message.window_start = message.utime - 100'000;
-    message.window_end = message.utime;
-    const double time = 1e-6 * static_cast<double>(message.utime - kEpoch) - robot_.rfid->delay;
-    for (const robot::FloorTag& tag : robot_.floor_tags->field("").tags) {
-      if ((tag.p_W - Eigen::Vector2d(x(), y(time))).norm() >= robot_.rfid->reading_radius) continue;
-      RfidTagHit hit{};
-      hit.uid = tag.uid;
-      hit.utime = message.utime;
-      message.hits.push_back(hit);
-    }
-    message.num_hits = static_cast<std::int32_t>(message.hits.size());
     return message;
   }
 

@@ -12,6 +12,7 @@
 #include "common/geometry/plane_pose.hpp"
 #include "common/robot/robot_description.hpp"
 #include "tests/unit/rfid-localizer/ideal_drive.hpp"
+#include "tests/unit/rfid-localizer/tag_round.hpp"
 
 namespace markservo::rfid_localizer::test {
 
@@ -37,22 +38,10 @@ class SkiddingDrive {
 
   // The round that arrives with that odometry; its middle is the reader's delay before.
   RfidTagHits hits(std::int64_t number) const {
-    RfidTagHits message{};
-    message.utime = IdealDrive::kEpoch + number * 20'000;
-    message.window_start = message.utime - 100'000;
-    message.window_end = message.utime;
     const double angle = kSpeed / kRadius * (kPeriod * static_cast<double>(number) - robot_.rfid->delay);
     const Eigen::Vector2d p_WR =
         Eigen::Vector2d(2.0, 2.0) + kRadius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    for (const robot::FloorTag& tag : robot_.floor_tags->field("hall").tags) {
-      if ((tag.p_W - p_WR).norm() >= robot_.rfid->reading_radius) continue;
-      RfidTagHit hit{};
-      hit.uid = tag.uid;
-      hit.utime = message.utime;
-      message.hits.push_back(hit);
-    }
-    message.num_hits = static_cast<std::int32_t>(message.hits.size());
-    return message;
+    return tag_round(robot_, "hall", p_WR, IdealDrive::kEpoch + number * 20'000);
   }
 
  private:
