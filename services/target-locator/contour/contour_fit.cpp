@@ -30,9 +30,6 @@ struct BlockSums {
   double contrast = 0.0;                 // summed over `count`
   std::array<double, 2> beyond{};        // of residuals outside and inside the blur's reach
   std::array<double, 2> beyond_count{};  // of pixels there
-  Eigen::VectorXd gradient;              // how the score falls with the unknowns
-
-  explicit BlockSums(Eigen::Index unknowns) : gradient(Eigen::VectorXd::Zero(unknowns)) {}
 };
 
 // Derivatives by the few unknowns that a pixel depends on.
@@ -208,7 +205,8 @@ class ContourProblem {
     const int unknowns = Shape::kSize + 1 + level_unknowns();
     information_ = Eigen::MatrixXd::Zero(unknowns, unknowns);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
-    blocks_.assign(about_.used.size(), BlockSums(unknowns));
+    blocks_.assign(about_.used.size(), BlockSums());
+    gradients_.setZero(unknowns, static_cast<Eigen::Index>(blocks_.size()));
     outwards_.clear();
     totals_ = {};
     for (const ContourPixel& pixel : about_.pixels) add(pixel, right);
@@ -238,9 +236,7 @@ class ContourProblem {
     const SparseRow row = row_of(coverage, w, contrast);
     const double by_move = contrast * coverage.by_distance;
     for (std::size_t i = 0; i < row.size; ++i) {
-      blocks_[pixel.block].gradient[row.index[i]] += row.derivative[i] * by_move;
-    }
-    for (std::size_t i = 0; i < row.size; ++i) {
+      gradients_(row.index[i], static_cast<Eigen::Index>(pixel.block)) += row.derivative[i] * by_move;
       right[row.index[i]] += row.derivative[i] * residual;
       for (std::size_t k = 0; k < row.size; ++k) {
         if (row.index[k] <= row.index[i]) {
@@ -311,21 +307,23 @@ class ContourProblem {
   StretchSums sums_over_stretches(std::size_t window) const {
     StretchSums sums;
     const std::size_t n = blocks_.size();
+    Eigen::VectorXd gradient(information_.rows());
     for (std::size_t first = 0; first < n; ++first) {
-      BlockSums stretch(information_.rows());
+      BlockSums stretch;
+      gradient.setZero();
       bool whole = true;
       for (std::size_t k = first; k < first + window; ++k) {
         const BlockSums& block = blocks_[k % n];
         whole = whole && about_.used[k % n] && block.information > 0.0;
         stretch.score += block.score;
         stretch.information += block.information;
-        stretch.gradient += block.gradient;
+        gradient += gradients_.col(static_cast<Eigen::Index>(k % n));
       }
       if (!whole) continue;
       ++sums.count;
       sums.squares += stretch.score * stretch.score;
       sums.information += stretch.information;
-      sums.left += stretch.information - stretch.gradient.dot(solver_.solve(stretch.gradient));
+      sums.left += stretch.information - gradient.dot(solver_.solve(gradient));
     }
     return sums;
   }
@@ -352,6 +350,7 @@ class ContourProblem {
   Eigen::MatrixXd information_;  // lower half
   Eigen::LDLT<Eigen::MatrixXd> solver_;
   std::vector<BlockSums> blocks_;
+  Eigen::MatrixXd gradients_;                     // of each block in a column: how its score falls with the unknowns
   std::vector<typename Shape::Vector> outwards_;  // how places on the outline move with the shape's parameters
   Totals totals_;
 };
