@@ -15,6 +15,7 @@
 #include "common/bus/host_name.hpp"
 #include "common/bus/log_not_written.hpp"
 #include "common/bus/network.hpp"
+#include "common/bus/robot_channel.hpp"
 #include "common/bus/session.hpp"
 #include "common/logging/log.hpp"
 #include "common/time/clocks.hpp"
@@ -84,7 +85,7 @@ Bus::Bus(BusParameters parameters) : parameters_(std::move(parameters)) {
 Bus::~Bus() = default;
 
 std::string Bus::full_channel(const std::string& channel) const {
-  return parameters_.robot.empty() ? channel : parameters_.robot + "/" + channel;
+  return robot_channel(parameters_.robot, channel);
 }
 
 void Bus::attach(std::unique_ptr<Subscription> subscription) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/bus/host_name.hpp"
+#include "common/bus/robot_channel.hpp"
 #include "common/bus/session.hpp"
 #include "common/time/clocks.hpp"
 
@@ -13,10 +14,6 @@ namespace {
 
 constexpr std::int64_t kPeriod_us = 1'000'000;
 constexpr std::int64_t kMegabyte = 1'000'000;
-
-std::string channel_of(const std::string& robot) {
-  return (robot.empty() ? "" : robot + "/") + std::string(channels::kRecorderStatus.name);
-}
 
 bool is_news(const RecordingWord& told, const RecordingWord& word) {
   return told.recording != word.recording || told.parts != word.parts || told.why != word.why;
@@ -27,7 +24,7 @@ bool is_news(const RecordingWord& told, const RecordingWord& word) {
 RecorderStatusNode::RecorderStatusNode(const RecordingPlan& plan, std::string folder)
     : folder_(std::move(folder)),
       bus_(plan.lcm_url, nullptr),
-      statuses_(this, channel_of(plan.robot), bus::random_session()) {}
+      statuses_(this, bus::robot_channel(plan.robot, channels::kRecorderStatus.name), bus::random_session()) {}
 
 bool RecorderStatusNode::send(const bus::Outgoing& message) {
   const auto now = std::chrono::steady_clock::now();

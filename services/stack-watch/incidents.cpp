@@ -1,11 +1,6 @@
 #include "services/stack-watch/incidents.hpp"
 
 namespace markservo::stack_watch {
-namespace {
-
-constexpr std::int64_t kTold_us = 60'000'000;
-
-}  // namespace
 
 void Kills::add(const Kill& kill) {
   newest_.push_back(kill);

@@ -10,6 +10,8 @@
 
 namespace markservo::stack_watch {
 
+inline constexpr std::int64_t kTold_us = 60'000'000;  // so long it is news
+
 struct Kill {
   std::string name;
   int pid = 0;

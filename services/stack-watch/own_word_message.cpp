@@ -6,6 +6,7 @@
 #include <markservo/channels.hpp>
 
 #include "common/bus/host_name.hpp"
+#include "common/bus/robot_channel.hpp"
 #include "common/bus/session.hpp"
 #include "common/census/census.hpp"
 #include "services/stack-watch/short_message_of.hpp"
@@ -18,7 +19,9 @@ constexpr std::size_t kMaxReason = 200;  // bytes, as any text on the bus
 }  // namespace
 
 OwnWord::OwnWord(const std::string& robot)
-    : channel_(channel_of(robot, channels::kServiceStatus)), host_(bus::host_name()), session_(bus::random_session()) {}
+    : channel_(bus::robot_channel(robot, channels::kServiceStatus.name)),
+      host_(bus::host_name()),
+      session_(bus::random_session()) {}
 
 std::vector<std::uint8_t> OwnWord::next(bool well, const std::string& reason, std::int64_t wall_us) {
   ServiceStatus status{};

@@ -2,14 +2,11 @@
 
 #include <cmath>
 #include <set>
-#include <tuple>
 
 #include "common/census/census.hpp"
 
 namespace markservo::stack_watch {
 namespace {
-
-constexpr std::int64_t kTold_us = 60'000'000;  // a restart is news so long
 
 // Of its limit: a person shall hear of it before it is killed, and one late word of a busy machine is no silence.
 constexpr double kSilentShare = 0.7;
@@ -74,33 +71,24 @@ bool is_silent(const ProcessFindings& findings) {
 
 }  // namespace
 
-bool ProcessWord::operator==(const ProcessWord& other) const {
-  const auto all = [](const ProcessWord& word) {
-    return std::tie(word.name, word.state, word.pid, word.start_utime, word.restarts, word.why);
-  };
-  return all(*this) == all(other);
-}
-
-std::vector<ProcessWord> ProcessWatch::words(const std::vector<SupervisedProcess>& processes,
-                                             const std::map<std::string, ProcessFindings>& findings, const Kills& kills,
-                                             const std::string& supervisor_trouble, std::int64_t now_us) {
+std::vector<ProcessWord> ProcessWatch::words(const StackFindings& found, std::int64_t now_us) {
   std::vector<ProcessWord> words;
-  for (const SupervisedProcess& process : processes) {
+  for (const SupervisedProcess& process : found.processes) {
     if (process.name == census::kStackWatch) continue;
-    follow(process, kills, now_us);
+    follow(process, found.kills, now_us);
     const Memory& memory = memory_[process.name];
     auto [state, why] = told_by_supervisor(process);
-    const auto found = findings.find(process.name);
-    if (state == ProcessState::kRunning && found != findings.end() && is_silent(found->second)) {
+    const auto heard = found.heard.find(process.name);
+    if (state == ProcessState::kRunning && heard != found.heard.end() && is_silent(heard->second)) {
       state = ProcessState::kSilent;
-      why = "it has said nothing for " + seconds_text(1e-6 * static_cast<double>(found->second.silent_us)) +
-            ": killed after " + seconds_text(1e-6 * static_cast<double>(found->second.limit_us));
+      why = "it has said nothing for " + seconds_text(1e-6 * static_cast<double>(heard->second.silent_us)) +
+            ": killed after " + seconds_text(1e-6 * static_cast<double>(heard->second.limit_us));
     }
     if (state == ProcessState::kWaiting && process.pid == 0) {
-      if (const auto killed = kills.silent_s(process.name, memory.pid)) why = killed_text(*killed);
+      if (const auto killed = found.kills.silent_s(process.name, memory.pid)) why = killed_text(*killed);
     }
     if (why.empty() && memory.restarts > 0 && now_us - memory.restarted_us < kTold_us) why = memory.why;
-    if (!supervisor_trouble.empty()) why = supervisor_trouble;
+    if (!found.supervisor_trouble.empty()) why = found.supervisor_trouble;
     words.push_back({process.name, state, process.pid, process.start_utime, memory.restarts, why});
   }
   return words;

@@ -23,8 +23,6 @@ struct ProcessWord {
   std::int64_t start_utime = 0;  // us, wall clock; 0: none
   int restarts = 0;              // since the watch began
   std::string why;               // empty when all is well
-
-  bool operator==(const ProcessWord& other) const;
 };
 
 // What the supervisor does not know of a process.
@@ -33,13 +31,18 @@ struct ProcessFindings {
   std::int64_t limit_us = 0;    // of silence, after which it is killed
 };
 
+// All that is known at a moment.
+struct StackFindings {
+  const std::vector<SupervisedProcess>& processes;  // as they were told last
+  std::string supervisor_trouble;                   // why they may not be so any more; empty: they are
+  std::map<std::string, ProcessFindings> heard;     // by name
+  const Kills& kills;
+};
+
 class ProcessWatch {
  public:
-  // The processes as they were told last; `findings` by name, and `supervisor_trouble` why they may not be so any more
-  // (empty: they are). Both of `now_us`, wall clock. The watch itself is none of them.
-  std::vector<ProcessWord> words(const std::vector<SupervisedProcess>& processes,
-                                 const std::map<std::string, ProcessFindings>& findings, const Kills& kills,
-                                 const std::string& supervisor_trouble, std::int64_t now_us);
+  // Of each process at `now_us`, wall clock. The watch itself is none of them.
+  std::vector<ProcessWord> words(const StackFindings& found, std::int64_t now_us);
 
  private:
   struct Memory {

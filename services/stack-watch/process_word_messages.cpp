@@ -4,6 +4,7 @@
 #include <markservo/channels.hpp>
 
 #include "common/bus/host_name.hpp"
+#include "common/bus/robot_channel.hpp"
 #include "common/bus/session.hpp"
 #include "common/messages/message_rules.hpp"
 #include "services/stack-watch/short_message_of.hpp"
@@ -26,12 +27,14 @@ static_assert(code_of(ProcessState::kFailed) == ProcessStatus::FAILED);
 }  // namespace
 
 ProcessWordMessages::ProcessWordMessages(const std::string& robot)
-    : channel_(channel_of(robot, channels::kProcessStatus)), host_(bus::host_name()), session_(bus::random_session()) {}
+    : channel_(bus::robot_channel(robot, channels::kProcessStatus.name)),
+      host_(bus::host_name()),
+      session_(bus::random_session()) {}
 
-std::vector<std::vector<std::uint8_t>> ProcessWordMessages::next(const std::vector<ProcessWord>& words, Telling telling,
+std::vector<std::vector<std::uint8_t>> ProcessWordMessages::next(const StackFindings& found, Telling telling,
                                                                  std::int64_t wall_us) {
   std::vector<std::vector<std::uint8_t>> datagrams;
-  for (const ProcessWord& word : words) {
+  for (const ProcessWord& word : watch_.words(found, wall_us)) {
     const auto told = told_.find(word.name);
     const bool changed = told == told_.end() || told->second.state != word.state || told->second.pid != word.pid;
     if (telling == Telling::kChangedState && !changed) continue;

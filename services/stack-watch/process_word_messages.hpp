@@ -17,11 +17,8 @@ class ProcessWordMessages {
   // `robot`: prefix of the channel.
   explicit ProcessWordMessages(const std::string& robot);
 
-  // Those of `telling` among `words`. `wall_us`: wall clock.
-  std::vector<std::vector<std::uint8_t>> next(const std::vector<ProcessWord>& words, Telling telling,
-                                              std::int64_t wall_us);
-
-  ProcessWatch watch;
+  // Those of `telling`, at `wall_us`, wall clock.
+  std::vector<std::vector<std::uint8_t>> next(const StackFindings& found, Telling telling, std::int64_t wall_us);
 
  private:
   struct Told {
@@ -31,6 +28,7 @@ class ProcessWordMessages {
 
   std::vector<std::uint8_t> datagram(const ProcessWord& word, std::int64_t wall_us);
 
+  ProcessWatch watch_;
   std::map<std::string, Told> told_;  // by name
   std::string channel_;
   std::string host_;

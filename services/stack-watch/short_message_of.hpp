@@ -8,12 +8,6 @@
 
 namespace markservo::stack_watch {
 
-// The channel's name with the robot's prefix, if there is one.
-template <class Channel>
-std::string channel_of(const std::string& robot, const Channel& channel) {
-  return (robot.empty() ? "" : robot + "/") + std::string(channel.name);
-}
-
 // A message as a datagram, numbered by its seq.
 template <class Message>
 std::vector<std::uint8_t> short_message_of(const Message& message, const std::string& channel) {

@@ -1,7 +1,6 @@
 #include "services/stack-watch/stack_watch_node.hpp"
 
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -161,12 +160,12 @@ void StackWatchNode::speak() {
 // The caller holds mutex_.
 void StackWatchNode::speak_of_processes(Telling telling) {
   const Instant when = now();
-  std::map<std::string, ProcessFindings> findings;
+  StackFindings found{supervisor_.processes(), trouble(), {}, kills_};
   for (const RunningProcess& process : supervisor_.running()) {
-    findings[process.name] = {silence_.silent_for_us(process.name, process.pid, when.steady_us), silence_.limit_us()};
+    found.heard[process.name] = {silence_.silent_for_us(process.name, process.pid, when.steady_us),
+                                 silence_.limit_us()};
   }
-  const auto words = process_words_.watch.words(supervisor_.processes(), findings, kills_, trouble(), when.wall_us);
-  for (const auto& datagram : process_words_.next(words, telling, when.wall_us)) socket_.send(datagram);
+  for (const auto& datagram : process_words_.next(found, telling, when.wall_us)) socket_.send(datagram);
 }
 
 }  // namespace markservo::stack_watch
