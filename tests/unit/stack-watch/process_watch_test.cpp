@@ -19,7 +19,7 @@ SupervisedProcess process(const std::string& state, int pid = 7) {
 class WatchedProcess : public ::testing::Test {
  protected:
   ProcessWord word(const SupervisedProcess& process, std::int64_t now_us = kNow) {
-    return watch_.words({process}, findings_, kills_, trouble_, now_us).at(0);
+    return watch_.words({{process}, trouble_, findings_, kills_}, now_us).at(0);
   }
 
   ProcessWatch watch_;
@@ -99,7 +99,7 @@ TEST_F(WatchedProcess, WhoseSupervisorIsDeadIsAsItWasToldLastAndSaysSo) {
 TEST_F(WatchedProcess, IsNotTheWatchItself) {
   SupervisedProcess self = process("RUNNING");
   self.name = "stack-watch";
-  EXPECT_TRUE(watch_.words({self}, {}, kills_, "", kNow).empty());
+  EXPECT_TRUE(watch_.words({{self}, "", {}, kills_}, kNow).empty());
 }
 
 }  // namespace
