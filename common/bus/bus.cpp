@@ -96,6 +96,27 @@ void Bus::attach(std::unique_ptr<Subscription> subscription) {
 void Bus::subscribe_all(lcm::LCM& lcm) {
   if (Subscription* echo = network_->echo()) subscribe_to(lcm, echo);
   for (const auto& subscription : subscriptions_) subscribe_to(lcm, subscription.get());
+  if (on_all_) subscribe_to_everything(lcm);
+}
+
+void Bus::subscribe_to_everything(lcm::LCM& lcm) {
+  const std::string prefix = parameters_.robot.empty() ? "" : escape(parameters_.robot + "/");
+  lcm.subscribeFunction(prefix + ".*", &Bus::receive_any, this)->setQueueCapacity(on_all_queue_);
+}
+
+void Bus::receive_any(const lcm::ReceiveBuffer* buffer, const std::string& channel, Bus* bus) {
+  bus->note_traffic();
+  try {
+    bus->on_all_({channel, buffer->data, buffer->data_size, buffer->recv_utime});
+  } catch (const std::exception& error) {
+    bus->complain(channel, error.what());
+  }
+}
+
+void Bus::on_all(int queue, std::function<void(const HeardBytes& message)> handler) {
+  on_all_queue_ = queue;
+  on_all_ = std::move(handler);
+  if (lcm::LCM* lcm = network_->in().lcm()) subscribe_to_everything(*lcm);
 }
 
 void Bus::on_raw(const std::string& channel, RawSubscription::Handler handler) {

@@ -26,6 +26,7 @@
 #include "common/bus/bus_unavailable.hpp"
 #include "common/bus/bus_url.hpp"
 #include "common/bus/health.hpp"
+#include "common/bus/heard_bytes.hpp"
 #include "common/bus/publisher.hpp"
 #include "common/bus/raw_subscription.hpp"
 #include "common/bus/service_health.hpp"
@@ -35,7 +36,8 @@
 
 namespace lcm {
 class LCM;
-}
+struct ReceiveBuffer;
+}  // namespace lcm
 namespace markservo {
 class ServiceStatus;
 }
@@ -80,6 +82,10 @@ class Bus final : private SubscriptionHost, private MessageSink {
   // A channel of any type, as bytes that nobody looks into: only for who passes messages on. False counts the message
   // as skipped; what it throws, as refused.
   void on_raw(const std::string& channel, RawSubscription::Handler handler);
+  // All channels (of the robot), as bytes, in the order in which they come, by one subscription: only for who shows
+  // them. `queue` messages wait while nobody polls, beyond them liblcm drops. Messages of this kind are not counted in
+  // SERVICE_STATUS, nor is a writer's time taken from them. What `handler` throws is complained of.
+  void on_all(int queue, std::function<void(const HeardBytes& message)> handler);
   // Sends bytes as they are. False if the network refused them, which is counted.
   bool publish_raw(const std::string& channel, const void* data, std::size_t size);
 
@@ -150,6 +156,8 @@ class Bus final : private SubscriptionHost, private MessageSink {
   bool send(const Outgoing& message) override;
   std::int64_t event_time(const Outgoing& message) const;
   void subscribe_all(lcm::LCM& lcm);
+  void subscribe_to_everything(lcm::LCM& lcm);
+  static void receive_any(const lcm::ReceiveBuffer* buffer, const std::string& channel, Bus* bus);
   bool handle_incoming(std::chrono::milliseconds timeout);
   void look_after_health();
   void tell(const Health& health);
@@ -169,6 +177,8 @@ class Bus final : private SubscriptionHost, private MessageSink {
   std::unique_ptr<Network> network_;
   std::int64_t session_ = 0;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
+  std::function<void(const HeardBytes& message)> on_all_;
+  int on_all_queue_ = 0;
   std::vector<std::string> advertised_;
   std::vector<std::pair<const Bus*, std::string>> reported_also_;  // with their channels' prefix
   Timers timers_;

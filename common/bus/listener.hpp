@@ -3,20 +3,13 @@
 // All of a live bus, heard as bytes, by tools that watch and write nothing.
 
 #include <chrono>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <lcm/lcm-cpp.hpp>
 #include <string>
 
-namespace markservo::bus {
+#include "common/bus/heard_bytes.hpp"
 
-struct HeardBytes {
-  const std::string& channel;
-  const void* data;
-  std::size_t size;
-  std::int64_t utime;  // us, this host's wall clock when it came
-};
+namespace markservo::bus {
 
 class Listener {
  public:

@@ -130,5 +130,44 @@ TEST_F(BusDelivery, StopEndsTheLoop) {
   EXPECT_FALSE(bus.poll(std::chrono::milliseconds(0)));
 }
 
+TEST_F(BusDelivery, OfAllChannelsHandsOverEveryByteInOrder) {
+  Bus bus(parameters());
+  std::vector<std::string> channels;
+  std::vector<std::size_t> sizes;
+  bus.on_all(10, [&](const HeardBytes& message) {
+    channels.push_back(message.channel);
+    sizes.push_back(message.size);
+  });
+  auto publisher = bus.advertise(channels::kJointState);
+  auto state = joint_state(1);
+  publisher.publish(state);
+  bus.publish_raw("OF_OTHERS", "abc", 3);
+  settle(bus);
+  EXPECT_EQ(channels, (std::vector<std::string>{"JOINT_STATE", "OF_OTHERS"}));
+  EXPECT_EQ(sizes[1], 3U);
+  EXPECT_TRUE(bus.status().channels.empty());
+}
+
+TEST_F(BusDelivery, OfAllChannelsHandsOverOneRobotsOnly) {
+  Bus bus(parameters("r.1"));
+  std::vector<std::string> channels;
+  bus.on_all(10, [&](const HeardBytes& message) { channels.push_back(message.channel); });
+  bus.publish_raw("JOINT_STATE", "abc", 3);
+  settle(bus);
+  EXPECT_EQ(channels, std::vector<std::string>{"r.1/JOINT_STATE"});
+}
+
+TEST_F(BusDelivery, OfAllChannelsGoesOnAfterAHandlerThrew) {
+  Bus bus(parameters());
+  int heard = 0;
+  bus.on_all(10, [&](const HeardBytes& /*message*/) {
+    if (++heard == 1) throw std::runtime_error("no room");
+  });
+  bus.publish_raw("A", "1", 1);
+  bus.publish_raw("B", "2", 1);
+  settle(bus);
+  EXPECT_EQ(heard, 2);
+}
+
 }  // namespace
 }  // namespace markservo::bus
