@@ -92,7 +92,7 @@ int serve(const ServiceInfo& info, Service& service, const CommandLine& command_
   }
   service.configure(options.robot_file);
   if (options.list_channels) return list_channels(info, service);
-  if (const auto exit_code = service.run_alone()) return *exit_code;
+  if (const auto exit_code = service.run_alone(options.robot)) return *exit_code;
 
   BusParameters parameters;
   parameters.urls.in = options.lcm_in.empty() ? options.lcm_url : options.lcm_in;

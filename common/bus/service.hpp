@@ -37,8 +37,9 @@ class Service {
   // True if a network that is missing, at the start or later, is waited for; false for what a person waits for himself.
   virtual bool waits_for_network() const { return true; }
 
-  // Work that needs no bus (a picture, a snapshot): the exit code ends the program; nothing goes on to the bus.
-  virtual std::optional<int> run_alone() { return std::nullopt; }
+  // Work that needs no bus (a picture, a snapshot, a log): the exit code ends the program; nothing goes on to the bus.
+  // `robot` is --robot.
+  virtual std::optional<int> run_alone(const std::string& /*robot*/) { return std::nullopt; }
 
   // Subscribes and advertises. Throws ConfigurationError.
   virtual void start(Bus& bus) = 0;

@@ -81,7 +81,7 @@ void MarkDetectorNode::configure(const std::string& robot_file) {
   detector_.emplace(std::move(marks), parameters_);
 }
 
-std::optional<int> MarkDetectorNode::run_alone() {
+std::optional<int> MarkDetectorNode::run_alone(const std::string& /*robot*/) {
   if (learn_.wanted()) {
     LearningParameters learning;
     learning.equalise = parameters_.equalise;

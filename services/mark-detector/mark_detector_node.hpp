@@ -21,7 +21,7 @@ class MarkDetectorNode final : public bus::Service {
  public:
   void add_options(CLI::App& app) override;
   void configure(const std::string& robot_file) override;
-  std::optional<int> run_alone() override;
+  std::optional<int> run_alone(const std::string& robot) override;
   void start(bus::Bus& bus) override;
 
  private:

@@ -40,7 +40,7 @@ std::unique_ptr<Simulation> SimulatorNode::new_simulation(Timing timing, std::in
                                       session, epoch);
 }
 
-std::optional<int> SimulatorNode::run_alone() {
+std::optional<int> SimulatorNode::run_alone(const std::string& /*robot*/) {
   if (options_.list_settings) {
     std::cout << list_settings(settings_);
     return bus::kExitStopped;

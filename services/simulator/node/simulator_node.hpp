@@ -20,7 +20,7 @@ class SimulatorNode : public bus::Service {
  public:
   void add_options(CLI::App& app) override { add_simulator_options(app, options_); }
   void configure(const std::string& robot_file) override;
-  std::optional<int> run_alone() override;
+  std::optional<int> run_alone(const std::string& robot) override;
   void start(bus::Bus& bus) override;
   void run(bus::Bus& bus) override;
 

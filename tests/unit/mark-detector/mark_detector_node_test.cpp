@@ -232,7 +232,7 @@ class PictureMode : public ::testing::Test {
     ::testing::internal::CaptureStdout();
     std::optional<int> exit_code;
     try {
-      exit_code = node.run_alone();
+      exit_code = node.run_alone("");
     } catch (...) {
       ::testing::internal::GetCapturedStdout();
       throw;
