@@ -13,19 +13,19 @@ std::string base64(const Bytes& bytes) {
   return text.get();
 }
 
-nlohmann::ordered_json json_of(const Field& field, const Value& value, JsonForm form) {
+nlohmann::ordered_json json_of(const Field& field, const Value& value, JsonForm form, std::size_t most_bytes) {
   return std::visit(
       [&](const auto& content) -> nlohmann::ordered_json {
         using Content = std::decay_t<decltype(content)>;
         if constexpr (std::is_same_v<Content, Bytes>) {
-          if (form == JsonForm::kExact) return base64(content);
+          if (form == JsonForm::kExact && content.size <= most_bytes) return base64(content);
           return {{"bytes", content.size}};
         } else if constexpr (std::is_same_v<Content, List>) {
           auto list = nlohmann::ordered_json::array();
-          for (const Value& element : content) list.push_back(json_of(field, element, form));
+          for (const Value& element : content) list.push_back(json_of(field, element, form, most_bytes));
           return list;
         } else if constexpr (std::is_same_v<Content, Fields>) {
-          return reflection::json_of(content, form);
+          return reflection::json_of(content, form, most_bytes);
         } else if constexpr (std::is_same_v<Content, std::int64_t>) {
           if (form == JsonForm::kExact && field.kind == Kind::kInt64) return std::to_string(content);
           return content;
@@ -38,11 +38,11 @@ nlohmann::ordered_json json_of(const Field& field, const Value& value, JsonForm 
 
 }  // namespace
 
-nlohmann::ordered_json json_of(const Fields& fields, JsonForm form) {
+nlohmann::ordered_json json_of(const Fields& fields, JsonForm form, std::size_t most_bytes) {
   auto object = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < fields.values.size(); ++i) {
     const Field& field = fields.type->fields[i];
-    object[field.name] = json_of(field, fields.values[i], form);
+    object[field.name] = json_of(field, fields.values[i], form, most_bytes);
   }
   return object;
 }

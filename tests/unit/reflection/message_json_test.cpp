@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <limits>
+#include <markservo/MarkDetection.hpp>
 #include <markservo/ServiceStatus.hpp>
 #include <markservo/StereoFrame.hpp>
 
@@ -45,6 +47,22 @@ TEST(MessageJson, HoldsBytesInBase64InItsExactForm) {
            {"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"foobar", "Zm9vYmFy"}}) {
     EXPECT_EQ(json_of_message(frame_with(bytes), JsonForm::kExact)["left"], text);
   }
+}
+
+TEST(MessageJson, TellsMoreBytesThanAllowedByTheirNumberInItsExactFormToo) {
+  MarkDetection detection{};
+  detection.num_marks = 1;
+  detection.marks.resize(1);
+  MarkPatch& patch = detection.marks[0].left.patch;
+  patch.bgr_size = 3;
+  patch.bgr = {1, 2, 3};
+  const auto bytes = test::encoded(detection);
+  const Fields fields = decode(TypeCatalog::ours(), bytes.data(), bytes.size()).fields;
+  const auto shown = [&](std::size_t most_bytes) {
+    return json_of(fields, JsonForm::kExact, most_bytes)["marks"][0]["left"]["patch"]["bgr"];
+  };
+  EXPECT_EQ(shown(3), "AQID");
+  EXPECT_EQ(shown(2), nlohmann::ordered_json({{"bytes", 3}}));
 }
 
 TEST(MessageJson, HoldsIntegersOf64BitsAsTextInItsExactFormAndOthersAsNumbers) {
