@@ -22,4 +22,9 @@ inline std::int64_t steady_clock_us() {
   return microseconds_of<std::chrono::steady_clock>();
 }
 
+// s, by the same.
+inline double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 }  // namespace markservo

@@ -17,6 +17,7 @@
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
 #include "common/text/text.hpp"
+#include "common/time/clocks.hpp"
 #include "services/task-operator/asked_bus.hpp"
 
 namespace markservo::task_operator {
@@ -24,10 +25,6 @@ namespace {
 
 constexpr std::int64_t kRequest = 1;        // the only one of this program's session
 constexpr std::size_t kMostServices = 100;  // remembered, whoever invents names
-
-double steady_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 task::Action action_of(const std::string& text) {
   static const std::map<std::string, task::Action> actions{{"start", task::Action::kStart},
