@@ -5,7 +5,7 @@
 
 #include "calibration_text.hpp"
 #include "common/robot/configuration_error.hpp"
-#include "temporary_folder.hpp"
+#include "tests/unit/temporary_folder.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -30,7 +30,7 @@ class ChosenCamerasOf : public testing::Test {
     return "accepted";
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(ChosenCamerasOf, ACalibrationAreTheRectifiedOnesAndSaidInOneLine) {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "services/stereo-camera/devices/v4l2_device.hpp"
-#include "temporary_folder.hpp"
+#include "tests/unit/temporary_folder.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -148,7 +148,7 @@ TEST(SideBySideCamera, OfOddWidthIsDropped) {
 }
 
 TEST(V4l2Camera, ThatIsNotThereIsNamed) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   V4l2Settings settings;
   settings.size = cv::Size(640, 480);
   std::string reason;

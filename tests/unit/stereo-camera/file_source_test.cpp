@@ -12,7 +12,7 @@
 #include "services/stereo-camera/files/picture_stream.hpp"
 #include "services/stereo-camera/files/video_stream.hpp"
 #include "services/stereo-camera/source_options.hpp"
-#include "temporary_folder.hpp"
+#include "tests/unit/temporary_folder.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -207,7 +207,7 @@ TEST(PairComplaint, NamesBothSizes) {
 
 TEST(PictureStream, ReportsAFileThatIsNoPictureAndGoesOn) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string broken = folder.write("a.png", "not a picture");
   const std::string good = folder.file("b.png");
   ASSERT_TRUE(cv::imwrite(good, grey(5)));
@@ -222,7 +222,7 @@ TEST(PictureStream, ReportsAFileThatIsNoPictureAndGoesOn) {
 }
 
 TEST(PictureStream, TurnsGreyPicturesIntoColour) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   ASSERT_TRUE(cv::imwrite(folder.file("a.png"), cv::Mat(2, 4, CV_8UC1, cv::Scalar(9))));
   EXPECT_EQ(PictureStream({{0, folder.file("a.png")}}, 10.0).next().image.type(), CV_8UC3);
 }
@@ -269,7 +269,7 @@ TEST_F(SourceChoice, OfOneCameraNeedsSideBySide) {
 }
 
 TEST_F(SourceChoice, NeedsAPossibleRate) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   options_.left = options_.right = folder.write("a.png", "");
   for (const double rate : {0.0, -1.0, 1e-15, 9e-4, 1e9, std::nan("")}) {
     options_.rate_hz = rate;
@@ -288,7 +288,7 @@ TEST_F(SourceChoice, OfVideosOfTwoRatesSaysSo) {
 }
 
 TEST_F(SourceChoice, HasAnOffsetOfTwoVideosOnly) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   options_.left = options_.right = folder.write("a.png", "");
   options_.offset_s = 0.5;
   EXPECT_THAT(error(), HasSubstr("--offset-s is given without two videos"));

@@ -13,7 +13,7 @@
 #include "services/stereo-camera/calibration/rectification.hpp"
 #include "services/stereo-camera/calibration/rectifier.hpp"
 #include "services/stereo-camera/calibration/stereo_calibration.hpp"
-#include "temporary_folder.hpp"
+#include "tests/unit/temporary_folder.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -114,7 +114,7 @@ class ForeignCalibration : public testing::Test {
     return "accepted";
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(ForeignCalibration, MayHaveItsTranslationAsAList) {

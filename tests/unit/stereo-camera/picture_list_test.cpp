@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/robot/configuration_error.hpp"
-#include "temporary_folder.hpp"
+#include "tests/unit/temporary_folder.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -30,7 +30,7 @@ class PicturePattern : public testing::Test {
   void touch(const std::vector<std::string>& names) const {
     for (const std::string& name : names) folder_.write(name, "x");
   }
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(PicturePattern, FindsFilesByRisingNumberAcrossGaps) {

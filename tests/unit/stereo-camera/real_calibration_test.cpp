@@ -9,7 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "command.hpp"
-#include "temporary_folder.hpp"
+#include "tests/unit/temporary_folder.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -125,7 +125,7 @@ class RealCameras : public testing::Test {
   static RowError raw_;
   static double rms_;
   static cv::Mat K1_, D1_, K2_, D2_, R_, T_, E_, F_, R1_, R2_, P1_, P2_, Q_;
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 cv::Size RealCameras::size_;

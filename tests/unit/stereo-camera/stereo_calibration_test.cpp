@@ -10,7 +10,7 @@
 #include "common/robot/configuration_error.hpp"
 #include "services/stereo-camera/calibration/rectification.hpp"
 #include "services/stereo-camera/calibration/rectifier.hpp"
-#include "temporary_folder.hpp"
+#include "tests/unit/temporary_folder.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -37,7 +37,7 @@ class StereoCalibrationFile : public testing::Test {
     return error_of(text.text(), options);
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   CalibrationText good_;
 };
 

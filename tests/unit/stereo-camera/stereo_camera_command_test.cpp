@@ -9,7 +9,7 @@
 
 #include "calibration_text.hpp"
 #include "command.hpp"
-#include "temporary_folder.hpp"
+#include "tests/unit/temporary_folder.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -59,7 +59,7 @@ class StereoCameraCommand : public testing::Test {
     EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << "not one line: " << result.output;
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   const std::vector<std::string> any_size_{"--fx", "50", "--baseline", "0.1"};
 };
 

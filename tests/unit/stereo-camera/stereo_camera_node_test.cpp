@@ -11,8 +11,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "common/robot/configuration_error.hpp"
-#include "temporary_folder.hpp"
 #include "tests/unit/bus/memq_bus.hpp"
+#include "tests/unit/temporary_folder.hpp"
 
 namespace markservo::stereo_camera {
 namespace {
@@ -30,7 +30,7 @@ class StereoCameraOnALiveBus : public testing::Test {
     node_.configure(kRobotFile);
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   CLI::App app_;
   StereoCameraNode node_;
 };

@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "command.hpp"
-#include "temporary_folder.hpp"
+#include "tests/unit/temporary_folder.hpp"
 #include "video_file.hpp"
 
 namespace markservo::stereo_camera {
@@ -73,7 +73,7 @@ class VideoPair : public testing::Test {
     for (const StereoFrame& frame : read_frames(log())) EXPECT_NEAR(disparity(frame), kDisparity_px, 0.01);
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(VideoPair, ThatLostPicturesOnOneSideIsPairedByTimeAndTheGapStays) {

@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "common/robot/configuration_error.hpp"
-#include "temporary_folder.hpp"
+#include "tests/unit/temporary_folder.hpp"
 #include "video_file.hpp"
 
 namespace markservo::stereo_camera {
@@ -38,7 +38,7 @@ class VideoFile : public testing::Test {
     return times;
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(VideoFile, GivesEveryFrameAndTheRate) {

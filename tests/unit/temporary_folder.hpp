@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace markservo::stereo_camera {
+namespace markservo::test {
 
 // A folder of the test's own, removed at its end.
 class TemporaryFolder {
@@ -36,4 +36,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace markservo::stereo_camera
+}  // namespace markservo::test
