@@ -1,0 +1,179 @@
+import type {Hello, ToServer, Update} from './protocol.js';
+
+export type Life = 'open' | 'silent' | 'lost';
+
+export interface Hearer {
+  onHello(hello: Hello): void;
+  onUpdate(update: Update): void;
+  onPicture(bytes: ArrayBuffer): void;
+  onLife(life: Life, why: string): void;
+}
+
+export interface ConnectionParameters {
+  /** ms without any message after which the page is greyed: mmi speaks every 250 ms, and 1 s is what is promised. */
+  silence_ms: number;
+  /** ms without any message after which the socket is given up for a new one. */
+  give_up_ms: number;
+  /** ms between two tries. */
+  retry_ms: number;
+  /** ms after which a Stop that could not be sent is no longer sent: nobody expects it any more. */
+  stop_valid_ms: number;
+}
+
+export const kConnectionParameters: ConnectionParameters = {
+  silence_ms: 800,
+  give_up_ms: 3000,
+  retry_ms: 400,
+  stop_valid_ms: 10000,
+};
+
+/** The socket to mmi, opened anew whenever it is lost. */
+export class Connection {
+  private socket: WebSocket | null = null;
+  private heard_ms = 0;
+  private watched_ms = 0;
+  private life: Life = 'lost';
+  private stop_wanted: {reason: string; at_ms: number} | null = null;
+  /** mmi wants a token that we do not have: it lets us stop, and nothing else. */
+  private only_stop = false;
+  /** mmi has promised never to be silent for long: silence means that it is lost. */
+  private speaks_always = false;
+  private pictures_on = false;
+  private looked: string[] = [];
+  private retry: number | undefined;
+
+  constructor(
+    private readonly url: string,
+    private readonly token: string | null,
+    private readonly hearer: Hearer,
+    private readonly parameters: ConnectionParameters = kConnectionParameters,
+  ) {}
+
+  start(): void {
+    this.open();
+    setInterval(() => this.watch(), 100);
+  }
+
+  /** STOP, at once or as soon as there is a socket again. False: it could not be sent yet. */
+  stop(reason: string): boolean {
+    this.stop_wanted = {reason, at_ms: performance.now()};
+    if (this.only_stop && !this.socket) this.open();
+    return this.sendStop();
+  }
+
+  get stopIsWaiting(): boolean {
+    return this.stop_wanted !== null;
+  }
+
+  pictures(on: boolean): void {
+    if (on === this.pictures_on) return;
+    this.pictures_on = on;
+    this.send({type: 'pictures', on});
+  }
+
+  look(channels: string[]): void {
+    const sorted = [...new Set(channels)].sort();
+    if (sorted.join() === this.looked.join()) return;
+    this.looked = sorted;
+    this.send({type: 'look', channels: sorted});
+  }
+
+  send(message: ToServer): boolean {
+    if (this.socket?.readyState !== WebSocket.OPEN) return false;
+    if (this.only_stop && message.type !== 'stop') return false;
+    this.socket.send(JSON.stringify(message));
+    return true;
+  }
+
+  private open(): void {
+    clearTimeout(this.retry);
+    this.speaks_always = false;
+    const socket = new WebSocket(this.url);
+    socket.binaryType = 'arraybuffer';
+    this.socket = socket;
+    this.heard_ms = performance.now();
+    socket.onopen = () => this.onOpen(socket);
+    socket.onmessage = (event) => this.onMessage(socket, event);
+    socket.onclose = (event) => this.onClose(socket, event);
+  }
+
+  private onOpen(socket: WebSocket): void {
+    if (socket !== this.socket) return;
+    this.heard_ms = performance.now();
+    this.sendStop();
+    if (this.only_stop) return;
+    if (this.token !== null) this.send({type: 'hello', protocol: 1, token: this.token});
+    else this.send({type: 'hello', protocol: 1});
+    if (this.looked.length > 0) this.send({type: 'look', channels: this.looked});
+    if (this.pictures_on) this.send({type: 'pictures', on: true});
+  }
+
+  private onMessage(socket: WebSocket, event: MessageEvent): void {
+    if (socket !== this.socket) return;
+    this.heard_ms = performance.now();
+    if (event.data instanceof ArrayBuffer) {
+      this.hearer.onPicture(event.data);
+      return;
+    }
+    const message = JSON.parse(event.data as string) as {type: string};
+    if (message.type === 'hello') this.onHello(message as Hello);
+    else if (message.type === 'update') this.onUpdate(message as Update);
+    this.tell('open', '');
+  }
+
+  private onHello(hello: Hello): void {
+    this.speaks_always = hello.update_at_least_every !== undefined;
+    this.hearer.onHello(hello);
+  }
+
+  private onUpdate(update: Update): void {
+    this.hearer.onUpdate(update);
+    if (update.number !== undefined) this.send({type: 'took', number: update.number});
+  }
+
+  private onClose(socket: WebSocket, event: CloseEvent): void {
+    if (socket !== this.socket) return;
+    this.socket = null;
+    const refused = /token/i.test(event.reason);
+    if (refused) this.only_stop = true;
+    if (refused || !this.only_stop) this.tell('lost', event.reason);
+    // Without a token a socket is opened for a Stop alone.
+    if (this.only_stop && !this.stop_wanted) return;
+    this.retry = setTimeout(() => this.open(), this.parameters.retry_ms) as unknown as number;
+  }
+
+  private watch(): void {
+    const now = performance.now();
+    // A page that slept (a laptop's lid, a debugger) has not heard because it did not listen.
+    if (now - this.watched_ms > 500) this.heard_ms = Math.max(this.heard_ms, now - this.parameters.silence_ms / 2);
+    this.watched_ms = now;
+    if (!this.speaks_always) return;
+    const silence_ms = now - this.heard_ms;
+    if (silence_ms > this.parameters.silence_ms && this.life === 'open') this.tell('silent', '');
+    if (silence_ms > this.parameters.give_up_ms && this.socket) {
+      const given_up = this.socket;
+      this.socket = null;
+      given_up.close();
+      this.tell('lost', '');
+      this.open();
+    }
+  }
+
+  private sendStop(): boolean {
+    const wanted = this.stop_wanted;
+    if (!wanted) return true;
+    if (performance.now() - wanted.at_ms > this.parameters.stop_valid_ms) {
+      this.stop_wanted = null;
+      return false;
+    }
+    if (!this.send({type: 'stop', reason: wanted.reason})) return false;
+    this.stop_wanted = null;
+    return true;
+  }
+
+  private tell(life: Life, why: string): void {
+    if (life === this.life && why === '') return;
+    this.life = life;
+    this.hearer.onLife(life, why);
+  }
+}

@@ -1,0 +1,83 @@
+import {svg, nothing, type SVGTemplateResult} from 'lit';
+import type {BusMessage, MarkScene, PictureHeader} from '../protocol.js';
+import {labelLevels} from './labels.js';
+import {maskRuns, pathOfRuns} from './geometry.js';
+
+export type Side = 'left' | 'right';
+
+/** Pixel centres are at integers in messages; in the drawing pixel (0, 0) fills 0..1. */
+const kHalfPixel = 0.5;
+/** px of the image. */
+const kLabelHeight = 17;
+/** A match's line is its disparity, this many times shorter: whole ones would cover the picture. */
+const kTailShortened = 10;
+
+interface Overlay {
+  header: PictureHeader;
+  side: Side;
+  marks: MarkScene[];
+  selected: string | null;
+  select: (name: string) => void;
+}
+
+/** What belongs on one image of a frame, from that frame's own messages. In pixels of the image. */
+export function drawOverlay(overlay: Overlay): SVGTemplateResult {
+  const {header, side} = overlay;
+  const seen = ((header.detection?.marks ?? []) as BusMessage[]).filter((mark) => mark[side]?.seen);
+  const matched = (header.matches?.marks ?? []) as BusMessage[];
+  const levels = labelLevels(seen.map((mark) => ({x: mark[side].x, y: mark[side].y, letters: mark.name.length})));
+  return svg`
+    ${seen.map((mark) => drawMask(mark, overlay))}
+    ${matched.map((mark) => drawMatches(mark, overlay))}
+    ${seen.map((mark, index) => drawMark(mark, levels[index]!, overlay))}
+  `;
+}
+
+function colourOf(name: string, marks: MarkScene[]): string {
+  return marks.find((mark) => mark.name === name)?.colour ?? '#ffffff';
+}
+
+function dimmed(name: string, overlay: Overlay): string {
+  const selects_mark = overlay.marks.some((mark) => mark.name === overlay.selected);
+  return overlay.selected === name ? 'is-selected' : selects_mark ? 'is-dimmed' : '';
+}
+
+function drawMask(mark: BusMessage, overlay: Overlay): SVGTemplateResult | typeof nothing {
+  const runs = maskRuns(mark[overlay.side].patch);
+  if (runs.length === 0) return nothing;
+  return svg`<path class="mask ${dimmed(mark.name, overlay)}" d=${pathOfRuns(runs)} fill=${colourOf(mark.name, overlay.marks)}></path>`;
+}
+
+function drawMark(mark: BusMessage, level: number, overlay: Overlay): SVGTemplateResult {
+  const view = mark[overlay.side];
+  const u = view.u + kHalfPixel;
+  const v = view.v + kHalfPixel;
+  const label_above = view.y > kLabelHeight * (level + 1);
+  const label_y = label_above ? view.y - 5 - level * kLabelHeight : view.y + view.height + 14 + level * kLabelHeight;
+  return svg`<g class="mark ${dimmed(mark.name, overlay)} ${view.clipped ? 'is-clipped' : ''}" data-mark=${mark.name}
+      data-u=${view.u} data-v=${view.v} data-x=${view.x} data-y=${view.y} data-width=${view.width} data-height=${view.height}
+      @click=${() => overlay.select(mark.name)}>
+    <rect class="halo" x=${view.x} y=${view.y} width=${view.width} height=${view.height}></rect>
+    <rect class="box" x=${view.x} y=${view.y} width=${view.width} height=${view.height} stroke=${colourOf(mark.name, overlay.marks)}></rect>
+    <path class="halo" d="M${u - 6} ${v}h12M${u} ${v - 6}v12"></path>
+    <path class="cross" d="M${u - 6} ${v}h12M${u} ${v - 6}v12"></path>
+    <text x=${Math.max(2, view.x)} y=${label_y}>${mark.name}${view.clipped ? ' (clipped)' : ''}</text>
+  </g>`;
+}
+
+function drawMatches(mark: BusMessage, overlay: Overlay): SVGTemplateResult[] {
+  const us: number[] = mark[`u_${overlay.side}`] ?? [];
+  const vs: number[] = mark[`v_${overlay.side}`] ?? [];
+  const other_us: number[] = mark[overlay.side === 'left' ? 'u_right' : 'u_left'] ?? [];
+  const chosen = dimmed(mark.name, overlay);
+  return us.map((u, index) => {
+    const v = vs[index]!;
+    const residual: number = mark.residual?.[index] ?? 0;
+    const worst = Math.min(1, Math.abs(residual));
+    const tail = ((other_us[index] ?? u) - u) / kTailShortened;
+    return svg`<g class="match ${chosen}" data-match=${mark.name} data-u=${u} data-v=${v} data-residual=${residual}>
+      <line x1=${u + kHalfPixel} y1=${v + kHalfPixel} x2=${u + kHalfPixel + tail} y2=${v + kHalfPixel}></line>
+      <circle class=${worst > 0.5 ? 'is-off' : ''} cx=${u + kHalfPixel} cy=${v + kHalfPixel} r=${1.2 + 1.8 * worst}></circle>
+    </g>`;
+  });
+}

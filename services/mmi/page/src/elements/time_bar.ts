@@ -1,0 +1,134 @@
+import {html, svg, nothing, type TemplateResult} from 'lit';
+import {icon} from '../drawing/icons.js';
+import {clock, microseconds, span} from '../format.js';
+import type {RobotEvent} from '../protocol.js';
+import {store} from '../session.js';
+import {
+  chosenSpeed,
+  goTo,
+  goToEvent,
+  playOrPause,
+  plays,
+  range,
+  setSpeed,
+  showNewest,
+  shownTime,
+  step,
+} from '../transport.js';
+import {kLevelSymbols} from '../words.js';
+import {StoreElement} from './store_element.js';
+
+const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
+/** Ticks that fall on the same thousandth of the line are one. */
+const kTickPlaces = 1000;
+
+/** Time: of a log from end to end, or of what the page remembers; events are ticks on it. */
+export class TimeBar extends StoreElement {
+  constructor() {
+    super();
+    this.pace_ms = 100;
+    this.shows = ['choice', 'cursor', 'state', 'events'];
+  }
+
+  protected override render(): TemplateResult {
+    const {begin, end} = range();
+    const at = shownTime();
+    const log = store.is_log;
+    const live = !log && store.paused_at === null;
+    const words = log
+      ? `${span((at - begin) / 1e6)} of ${span((end - begin) / 1e6)}`
+      : live
+        ? 'now'
+        : `${span((end - at) / 1e6)} ago`;
+    return html`
+      <div class="transport" role="group" aria-label="Time">
+        <button @click=${() => goToEvent(-1)} title="Previous event (P)" aria-label="Previous event">
+          ${icon('previous')}
+        </button>
+        <button @click=${() => step(-1)} title="One picture back (,)" aria-label="One picture back">
+          ${icon('back')}
+        </button>
+        <button
+          class="play"
+          @click=${playOrPause}
+          title="${plays() ? 'Pause' : 'Play'} (K)"
+          aria-label=${plays() ? 'Pause' : 'Play'}
+        >
+          ${icon(plays() ? 'pause' : 'play')}
+        </button>
+        <button @click=${() => step(1)} title="One picture on (.)" aria-label="One picture on">${icon('on')}</button>
+        <button @click=${() => goToEvent(1)} title="Next event (N)" aria-label="Next event">${icon('next')}</button>
+        ${
+          log
+            ? html`<select aria-label="Speed" title="Speed" @change=${this.onSpeed}>
+                ${kSpeeds.map(
+                  (speed) => html`<option value=${speed} .selected=${speed === chosenSpeed()}>${speed} ×</option>`,
+                )}
+              </select>`
+            : html`<button
+                class="newest ${live ? 'is-on' : ''}"
+                aria-pressed=${live}
+                @click=${showNewest}
+                title="The newest (L)"
+              >
+                ${live ? '● live' : '○ live'}
+              </button>`
+        }
+      </div>
+      <div class="line">
+        ${this.renderTicks(store.events, begin, end, at)}
+        <input
+          type="range"
+          min="0"
+          max="1000000"
+          step="1"
+          .value=${String(position(at, begin, end) * 1e6)}
+          aria-label="Time"
+          aria-valuetext="${clock(at)} UTC, ${words}"
+          @input=${this.onSlide}
+        />
+      </div>
+      <output class="time ${live || log ? '' : 'is-past'}"
+        ><b>${clock(at)}</b><span>${live || log ? '' : 'past, '}${words}</span></output
+      >
+    `;
+  }
+
+  private renderTicks(events: RobotEvent[], begin: number, end: number, at: number): TemplateResult {
+    const places = new Map<number, RobotEvent>();
+    const rank = {info: 0, good: 1, warning: 2, bad: 3};
+    for (const event of events) {
+      const place = position(microseconds(event.at), begin, end);
+      if (place < 0 || place > 1) continue;
+      const key = Math.round(place * kTickPlaces);
+      const there = places.get(key);
+      if (!there || rank[event.level] > rank[there.level]) places.set(key, event);
+    }
+    const marker = (value: number | null, name: string): unknown =>
+      value === null || !Number.isFinite(value)
+        ? nothing
+        : svg`<line class=${name} x1=${position(value, begin, end) * kTickPlaces} x2=${position(value, begin, end) * kTickPlaces} y1="0" y2="24"></line>`;
+    return html`<svg class="ticks" viewBox="0 0 ${kTickPlaces} 24" preserveAspectRatio="none" aria-hidden="true">
+      ${[...places].map(
+        ([
+          x,
+          event,
+        ]) => svg`<line class="tick is-${event.level}" x1=${x} x2=${x} y1=${event.kind === 'task' ? 2 : 10} y2="24">
+        <title>${clock(event.at)} ${kLevelSymbols[event.level]} ${event.text}</title></line>`,
+      )}
+      ${marker(store.cursor, 'cursor')}${marker(store.reference, 'reference')}${marker(at, 'at')}
+    </svg>`;
+  }
+
+  private readonly onSpeed = (event: Event): void => setSpeed(Number((event.target as HTMLSelectElement).value));
+
+  private readonly onSlide = (event: Event): void => {
+    const {begin, end} = range();
+    goTo(begin + (Number((event.target as HTMLInputElement).value) / 1e6) * (end - begin));
+  };
+}
+customElements.define('mmi-time', TimeBar);
+
+function position(at: number, begin: number, end: number): number {
+  return end > begin && Number.isFinite(at) ? (at - begin) / (end - begin) : 1;
+}

@@ -1,0 +1,209 @@
+import {microseconds} from './format.js';
+import {PictureHistory, TextHistory} from './history.js';
+import {Moment, partId, slotId, type Parts} from './moment.js';
+import type {ShownPicture} from './pictures.js';
+import type {Hello, Play, RobotEvent, Slot, Update} from './protocol.js';
+import type {Life} from './connection.js';
+import {withoutPatches} from './slim.js';
+
+/** What changed: elements redraw at once for the first three, and at their own pace for the others. */
+export type Change = 'choice' | 'picture' | 'cursor' | 'state' | 'events';
+
+const kPictureBytes = 40e6;
+const kPictureAge_us = 20e6;
+const kTextBytes = 60e6;
+const kTextAge_us = 300e6;
+const kEventsAtMost = 5000;
+const kTrailAtMost = 8000;
+
+/** All that the page knows, and what of it is chosen to be shown. */
+export class Store {
+  hello: Hello | null = null;
+  life: Life = 'lost';
+  life_why = '';
+  life_since_ms = performance.now();
+  now = NaN;
+  play: Play | null = null;
+  told_lost = 0;
+  /** Counts up when what was known before is void. */
+  generation = 0;
+  events: RobotEvent[] = [];
+  picture: ShownPicture | null = null;
+  /** Where the robot was, oldest first. */
+  trail: {at: number; x: number; y: number}[] = [];
+
+  /** us; null: the newest. */
+  paused_at: number | null = null;
+  /** Name of a mark, or a tag's uid. */
+  selected: string | null = null;
+  /** us, the time under the pointer in the plots, and the one that differences are taken from. */
+  cursor: number | null = null;
+  reference: number | null = null;
+
+  readonly pictures = new PictureHistory(kPictureBytes, kPictureAge_us);
+  readonly history = new TextHistory(kTextBytes, kTextAge_us);
+
+  private readonly newest = new Map<string, unknown>();
+  private readonly hearers = new Set<(change: Change) => void>();
+  private past: Moment | null = null;
+  private present: Moment | null = null;
+
+  hear(hearer: (change: Change) => void): () => void {
+    this.hearers.add(hearer);
+    return () => this.hearers.delete(hearer);
+  }
+
+  tell(change: Change): void {
+    for (const hearer of this.hearers) hearer(change);
+  }
+
+  get is_log(): boolean {
+    return this.hello?.mode === 'log';
+  }
+
+  get moment(): Moment {
+    if (this.paused_at !== null) {
+      const at = this.paused_at;
+      this.past ??= new Moment(
+        at,
+        remembering((id) => this.history.at(id, at)),
+        () => this.history.ids(),
+      );
+      return this.past;
+    }
+    return this.moment_live;
+  }
+
+  /** The newest, whatever is shown: Stop and its answers know no past. */
+  get moment_live(): Moment {
+    this.present ??= new Moment(
+      this.now,
+      (id) => this.newest.get(id),
+      () => this.newest.keys(),
+    );
+    return this.present;
+  }
+
+  /** The events until the moment that is shown. */
+  get events_shown(): RobotEvent[] {
+    return this.paused_at === null ? this.events_until_now : until(this.events, this.paused_at);
+  }
+
+  /** The events until the source's present: of a log later ones are known too. */
+  get events_until_now(): RobotEvent[] {
+    return this.is_log ? until(this.events, this.now) : this.events;
+  }
+
+  onHello(hello: Hello): void {
+    const same = this.hello?.mode === hello.mode && this.hello.bus === hello.bus;
+    this.hello = hello;
+    if (!same) this.forget();
+    this.newest.clear();
+    this.events = hello.events.slice(-kEventsAtMost);
+    this.tell('choice');
+    this.tell('events');
+  }
+
+  onUpdate(update: Update): void {
+    const now = microseconds(update.now);
+    if (update.play) this.play = update.play;
+    if (update.anew) this.beginAnew();
+    this.now = now;
+    this.present = null;
+    for (const slot of update.slots ?? []) this.onSlot(slot, now);
+    for (const name of ['arm', 'places', 'floor', 'troubles', 'stop', 'figures', 'latency'] as const) {
+      if (update[name] !== undefined) this.onPart(name, update[name] as Parts[typeof name], now);
+    }
+    if (update.told_lost !== undefined) this.told_lost = update.told_lost;
+    if (update.events && update.events.length > 0) this.onEvents(update.events);
+    this.tell('state');
+  }
+
+  onLife(life: Life, why: string): void {
+    if (life !== this.life) this.life_since_ms = performance.now();
+    this.life = life;
+    this.life_why = why;
+    this.tell('choice');
+  }
+
+  /** Shows the past at `at` (us), or, with null, the newest again. */
+  pauseAt(at: number | null): void {
+    this.paused_at = at;
+    this.past = null;
+    this.tell('choice');
+  }
+
+  select(what: string | null): void {
+    this.selected = this.selected === what ? null : what;
+    this.tell('choice');
+  }
+
+  setCursor(at: number | null): void {
+    if (at === this.cursor) return;
+    this.cursor = at;
+    this.tell('cursor');
+  }
+
+  setReference(at: number | null): void {
+    this.reference = at;
+    this.tell('cursor');
+  }
+
+  private onSlot(slot: Slot, now: number): void {
+    const slim = slot.channel.endsWith('MARK_DETECTION') ? withoutPatches(slot) : slot;
+    const id = slotId(slot.channel, slot.key);
+    this.newest.set(id, slim);
+    this.history.add(id, Math.min(microseconds(slot.at), now), slim);
+    const pose = slot.channel === 'ROBOT_POSE' ? slot.message?.pose : null;
+    if (pose && Number.isFinite(pose.x) && Number.isFinite(pose.y)) {
+      this.trail.push({at: microseconds(slot.at), x: pose.x, y: pose.y});
+      if (this.trail.length > kTrailAtMost) this.trail.splice(0, kTrailAtMost / 4);
+    }
+  }
+
+  private onPart<Name extends keyof Parts>(name: Name, value: Parts[Name], now: number): void {
+    this.newest.set(partId(name), value);
+    this.history.add(partId(name), now, value);
+  }
+
+  private onEvents(events: RobotEvent[]): void {
+    const newest = this.events[this.events.length - 1]?.number ?? -Infinity;
+    const fresh = events.filter((event) => event.number > newest);
+    if (fresh.length === 0) return;
+    this.events = [...this.events, ...fresh].slice(-kEventsAtMost);
+    this.tell('events');
+  }
+
+  private beginAnew(): void {
+    const stop = this.newest.get(partId('stop'));
+    this.newest.clear();
+    this.generation++;
+    this.trail = [];
+    if (stop !== undefined) this.newest.set(partId('stop'), stop);
+    this.history.forget();
+  }
+
+  private forget(): void {
+    this.history.forget();
+    this.generation++;
+    this.trail = [];
+    this.pictures.forget();
+    this.picture = null;
+    this.paused_at = null;
+    this.past = null;
+    this.present = null;
+    this.now = NaN;
+  }
+}
+
+function until(events: RobotEvent[], at: number): RobotEvent[] {
+  return events.filter((event) => microseconds(event.at) <= at);
+}
+
+function remembering(find: (id: string) => unknown): (id: string) => unknown {
+  const found = new Map<string, unknown>();
+  return (id) => {
+    if (!found.has(id)) found.set(id, find(id));
+    return found.get(id);
+  };
+}

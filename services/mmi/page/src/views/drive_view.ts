@@ -1,0 +1,22 @@
+import {html, type TemplateResult} from 'lit';
+import {panel} from '../elements/panel.js';
+import {StoreElement} from '../elements/store_element.js';
+import '../elements/floor_map.js';
+import '../elements/pose_panel.js';
+import '../elements/tag_table.js';
+
+/** Where the robot stands and goes. */
+export class DriveView extends StoreElement {
+  constructor() {
+    super();
+    this.shows = [];
+  }
+
+  protected override render(): TemplateResult {
+    return html`
+      ${panel('floor', 'Floor', html`<mmi-floor></mmi-floor>`)} ${panel('pose', 'Pose', html`<mmi-pose></mmi-pose>`)}
+      ${panel('tags', 'Tags', html`<mmi-tags></mmi-tags>`)}
+    `;
+  }
+}
+customElements.define('mmi-drive-view', DriveView);

@@ -1,0 +1,54 @@
+import type {Moment} from './moment.js';
+import type {Hello, Level} from './protocol.js';
+import {bytes} from './format.js';
+
+/** What a phase means to who watches; a phase that is not listed is shown by its name alone. */
+const kPhaseWords: Record<string, string> = {
+  IDLE: 'waits for a task',
+  DRIVE: 'drives to the target',
+  LOOK: 'looks for the target',
+  APPROACH: 'brings the hand into view',
+  SERVO: 'goes to the grip point by sight',
+  GRIP: 'grips',
+  LIFT: 'lifts a little',
+  VERIFY: 'looks whether the object comes along',
+  LIFT_ON: 'lifts on',
+  CARRY: 'carries',
+  RELEASE: 'releases',
+  GO_HOME: 'goes home',
+  HOLD_LIFTED: 'holds the object lifted',
+  DONE: 'has done it',
+  REFUSED: 'refused the task',
+  FAILED: 'gave up',
+  STOPPED: 'has been stopped',
+};
+
+export const kLevelSymbols: Record<Level, string> = {info: '·', good: '✓', warning: '▲', bad: '✖'};
+
+export function phaseWord(phase: string): string {
+  return kPhaseWords[phase] ?? '';
+}
+
+/** A state's name by its number; the number itself where there is no name. */
+export function stateName(hello: Hello | null, what: string, number: unknown): string {
+  if (typeof number === 'string' && !/^-?\d+$/.test(number)) return number;
+  const names = what === 'TASK_STATE' ? hello?.phases : hello?.states?.[what];
+  return names?.[Number(number)] ?? String(number ?? '–');
+}
+
+/** The phase that the robot is in; null before the first TASK_STATE. */
+export function phaseOf(hello: Hello | null, moment: Moment): string | null {
+  const task = moment.message('TASK_STATE');
+  return task ? stateName(hello, 'TASK_STATE', task.state) : null;
+}
+
+export function recordingWords(moment: Moment): {on: boolean; text: string} {
+  const recorders = moment
+    .slots('RECORDER_STATUS')
+    .map((slot) => slot.message)
+    .filter(Boolean);
+  const recording = recorders.find((recorder) => recorder.recording);
+  if (recording) return {on: true, text: `recording ${bytes(recording.bytes)}`};
+  if (recorders.length > 0) return {on: false, text: recorders[0].why ? 'recording ended' : 'not recording'};
+  return {on: false, text: 'not recording'};
+}
