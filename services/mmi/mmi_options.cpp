@@ -1,0 +1,104 @@
+#include "services/mmi/mmi_options.hpp"
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+
+#include "common/bus/options.hpp"
+#include "common/robot/configuration_error.hpp"
+#include "services/mmi/server/request_rules.hpp"
+
+namespace markservo::mmi {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kShortestToken = 16;  // characters: nobody guesses it
+constexpr std::size_t kLongestPath = 107;   // bytes, of a socket (unix(7))
+
+fs::path programs_folder() {
+  std::error_code none;
+  return fs::read_symlink("/proc/self/exe", none).parent_path();
+}
+
+// What an installed program has beside it.
+fs::path installed_folder() {
+  return (programs_folder() / "../../../share/markservo").lexically_normal();
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, MmiOptions& options) {
+  const bus::Options add(app);
+  add.option("--listen", options.listen,
+             "ADDRESS:PORT, or the path of a socket to make. An address that others reach needs --token-file")
+      .show_default();
+  add.option("--host", options.hosts, "A name besides loopback ones by which a browser may ask for it");
+  add.option("--token-file", options.token_file,
+             "A file with a secret of 16 characters or more: who sees anything but the page's files must have it "
+             "(http://.../#token=SECRET)");
+  add.option("--log", options.log,
+             "Show this log, or recording's folder, in place of the bus; then no bus is opened and nothing is sent");
+  add.option("--page", options.page, "The folder with the page (default: as it was built or installed)");
+  add.option("--tag-field", options.tag_field,
+             "The field of floor tags, where it is another than robot.yaml's in_use: what rfid-localizer was given");
+  add.footer("Exit codes: 0 told to end; 2 bad configuration, a place to listen at that is taken among it; 3 no bus.");
+}
+
+ListenPlace listen_place(const std::string& text) {
+  if (text.find('/') != std::string::npos) {
+    if (text.size() > kLongestPath) {
+      throw ConfigurationError("--listen " + text + ": a path of " + std::to_string(text.size()) +
+                               " bytes; allowed: up to " + std::to_string(kLongestPath));
+    }
+    return {"", 0, text};
+  }
+  const std::size_t colon = text.rfind(':');
+  ListenPlace place;
+  bool good = colon != std::string::npos && colon > 0;
+  if (good) {
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data() + colon + 1, end, place.port);
+    good = error == std::errc() && rest == end && place.port >= 1 && place.port <= 65535;
+    place.address = text.substr(0, colon);
+  }
+  if (good && place.address.front() == '[' && place.address.back() == ']') {
+    place.address = place.address.substr(1, place.address.size() - 2);
+  }
+  if (place.address == "localhost") place.address = "127.0.0.1";
+  if (!good) {
+    throw ConfigurationError("--listen " + text + "; allowed: ADDRESS:PORT such as 127.0.0.1:8080, or a path with a /");
+  }
+  return place;
+}
+
+bool is_private(const ListenPlace& place) {
+  return place.is_path() || place.address == "::1" || is_loopback_name(place.address);
+}
+
+std::string read_token(const std::string& path) {
+  std::ifstream file(path);
+  std::string token;
+  if (!file || !std::getline(file, token)) {
+    throw ConfigurationError("--token-file " + path + ": cannot be read; allowed: a file with a secret");
+  }
+  if (token.size() < kShortestToken) {
+    throw ConfigurationError("--token-file " + path + ": " + std::to_string(token.size()) +
+                             " characters; allowed: at least " + std::to_string(kShortestToken));
+  }
+  return token;
+}
+
+std::string default_page_folder() {
+  std::error_code none;
+  const fs::path built = programs_folder() / "../page";
+  if (fs::exists(built, none)) return built.lexically_normal().string();
+  return (installed_folder() / "page").string();
+}
+
+text::TypedCommand typed_command() {
+  std::error_code none;
+  return fs::exists(installed_folder() / "scripts", none) ? text::TypedCommand("markservo page") : text::TypedCommand();
+}
+
+}  // namespace markservo::mmi

@@ -1,0 +1,54 @@
+#pragma once
+
+// A small web server: HTTP and WebSocket over TCP or a socket with a path, by Boost.Beast, in the caller's thread.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "services/mmi/server/web_site.hpp"
+
+namespace boost::asio {
+class io_context;
+}
+
+namespace markservo::mmi {
+
+// Where to listen: an address with a port, or a path.
+struct ListenPlace {
+  std::string address;  // "127.0.0.1", "::1"; empty: `path`
+  int port = 0;
+  std::string path;
+
+  bool is_path() const { return address.empty(); }
+};
+
+struct ServerParameters {
+  int most_clients = 64;                // connections at once
+  std::size_t largest_header = 8192;    // bytes: a browser's has about 1,000
+  std::size_t largest_message = 65536;  // bytes, of a client
+  double patience = 10.0;               // s, to say what is wanted
+  std::string content_security_policy;
+};
+
+class Server {
+ public:
+  // Listens from now on. `site` must outlive this. Throws ConfigurationError: the place is taken, or not this host's.
+  Server(boost::asio::io_context& io, const ListenPlace& place, ServerParameters parameters, WebSite& site);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  // Asks every conversation whose last message is out whether there is another.
+  void wake();
+  const Refusals& refusals() const;
+  // Connections now; those of them that are WebSockets.
+  int connections() const;
+  int conversations() const;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace markservo::mmi

@@ -1,0 +1,68 @@
+#include "services/mmi/mmi_options.hpp"
+
+#include <gtest/gtest.h>
+
+#include "common/robot/configuration_error.hpp"
+#include "services/mmi/page_files.hpp"
+#include "tests/unit/temporary_folder.hpp"
+
+namespace markservo::mmi {
+namespace {
+
+TEST(ListenPlace, IsAnAddressWithAPortOrAPath) {
+  EXPECT_EQ(listen_place("127.0.0.1:8080").address, "127.0.0.1");
+  EXPECT_EQ(listen_place("127.0.0.1:8080").port, 8080);
+  EXPECT_EQ(listen_place("[::1]:80").address, "::1");
+  EXPECT_EQ(listen_place("localhost:80").address, "127.0.0.1");
+  EXPECT_EQ(listen_place("./page.sock").path, "./page.sock");
+  EXPECT_TRUE(listen_place("/run/page.sock").is_path());
+}
+
+TEST(ListenPlace, IsRefusedWithWhatIsAllowed) {
+  for (const char* wrong :
+       {"", "8080", ":8080", "127.0.0.1", "127.0.0.1:", "127.0.0.1:0", "127.0.0.1:65536", "127.0.0.1:8080x"}) {
+    EXPECT_THROW(listen_place(wrong), ConfigurationError) << wrong;
+  }
+  EXPECT_THROW(listen_place("/" + std::string(108, 'x')), ConfigurationError);
+}
+
+TEST(ListenPlace, IsPrivateOnLoopbackAndByAPath) {
+  for (const char* place : {"127.0.0.1:80", "localhost:80", "[::1]:80", "/run/page.sock", "127.0.0.5:80"}) {
+    EXPECT_TRUE(is_private(listen_place(place))) << place;
+  }
+  for (const char* place : {"0.0.0.0:80", "[::]:80", "192.168.1.5:80", "10.0.0.1:80"}) {
+    EXPECT_FALSE(is_private(listen_place(place))) << place;
+  }
+}
+
+TEST(Token, IsTheFilesFirstLine) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(read_token(folder.write("token", "sixteen letters!\nmore")), "sixteen letters!");
+  EXPECT_THROW(read_token(folder.write("short", "guess me\n")), ConfigurationError);
+  EXPECT_THROW(read_token(folder.write("empty", "")), ConfigurationError);
+  EXPECT_THROW(read_token(folder.file("none")), ConfigurationError);
+}
+
+TEST(PageFiles, AreThoseOfTheFolderAndNoOthers) {
+  const test::TemporaryFolder folder;
+  folder.write("index.html", "<!doctype html>");
+  folder.write("app.js", "run()");
+  folder.write("secret.key", "");
+  const PageFiles page(folder.file(""));
+  EXPECT_TRUE(page.is_built());
+  EXPECT_EQ(*page.find("/")->body, "<!doctype html>");
+  EXPECT_EQ(page.find("/app.js")->content_type, "text/javascript; charset=utf-8");
+  for (const char* path : {"/secret.key", "/../app.js", "//app.js", "/app.js/", "app.js", "", "/%2e%2e/app.js"}) {
+    EXPECT_EQ(page.find(path), nullptr) << path;
+  }
+}
+
+TEST(PageFiles, SayHowToBuildThemWhereThereAreNone) {
+  const test::TemporaryFolder folder;
+  const PageFiles page(folder.file("none"));
+  EXPECT_FALSE(page.is_built());
+  EXPECT_NE(page.find("/")->body->find("scripts/build"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace markservo::mmi
