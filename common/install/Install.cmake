@@ -2,7 +2,7 @@
 # other projects. To be included last: it takes what is built.
 #   bin/markservo              every command and program by one name: a link to scripts/markservo
 #   libexec/markservo/bin      the programs
-#   share/markservo            scripts, configuration and types: what a checkout has, so that the scripts are the same
+#   share/markservo            scripts, configuration and types: what a checkout has, so that the scripts are the same; the page
 #   lib/systemd/system         the stack as a system's service
 #   include/markservo, lib/markservo, lib/cmake/markservo    for find_package(markservo)
 include(GNUInstallDirs)
@@ -41,6 +41,7 @@ install(DIRECTORY scripts/ DESTINATION ${share}/scripts USE_SOURCE_PERMISSIONS C
   REGEX "/scripts/packages-arm64\\.txt$" EXCLUDE
   REGEX "/scripts/lib/(arm64-[a-z]+|bench-start|breaches\\.sh|check-files|check-layers|debian-mirror\\.sh|installed\\.sh\\.in|java-types|tidy-one)$" EXCLUDE)
 install(FILES ${written}/installed.sh DESTINATION ${share}/scripts/lib COMPONENT runtime)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/page DESTINATION ${share} COMPONENT runtime OPTIONAL)
 install(PROGRAMS ${written}/markservo DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 
 # Configuration. The unit as its head says, but by the installed command and as a user of the product's name.
@@ -74,6 +75,10 @@ if(JAVAC AND JAR AND LCM_JAR)
   list(APPEND installable java_types)
 else()
   message(STATUS "No javac, jar or lcm.jar: an installed `markservo spy` will have no types")
+endif()
+
+if(TARGET page)
+  list(APPEND installable page)
 endif()
 
 # Headers and libraries.

@@ -32,14 +32,17 @@ told_by() {
 # is_multicast URL: whether others can hear what is said there; without an address it is the programs' own default.
 is_multicast() { [[ ${1:-udpm://} == udpm://* ]]; }
 
-# Profiles of scripts/stack: a file each with the services that it starts, a line each.
+# Profiles of scripts/stack: a file each with the services that it starts, a line each; a ? after one: where it is built.
 profiles_dir=${default_config_dir-$repository/config}/profiles
 if [[ ! -d $profiles_dir ]]; then profiles_dir=$repository/config/profiles; fi
 
-# services_of PROFILE: the services of a profile, one a line; fails for a name that is none.
+# services_of PROFILE FOLDER: the services of a profile, as built in FOLDER, one a line; fails for a name that is none.
 services_of() {
   [[ $1 =~ ^[a-z][a-z0-9-]*$ && -f $profiles_dir/$1 ]] || return 1
-  awk '{ sub(/#.*/, "") } NF { print $1 }' "$profiles_dir/$1"
+  local service
+  awk '{ sub(/#.*/, "") } NF { print $1 }' "$profiles_dir/$1" | while IFS= read -r service; do
+    if [[ $service != *\? || -x $2/bin/${service%\?} ]]; then printf '%s\n' "${service%\?}"; fi
+  done
 }
 
 # profiles: their names, as a sentence has them.

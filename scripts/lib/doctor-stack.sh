@@ -4,7 +4,7 @@
 
 check_packages() {
   local missing
-  missing=$(missing_packages | paste -sd ' ')
+  missing=$(missing_packages run | paste -sd ' ')
   if [[ -n $missing ]]; then
     # shellcheck disable=SC2086 # a word each
     wrong programs "missing packages: $missing" "$(get_packages $missing)"

@@ -81,6 +81,10 @@ plan_launch() {
     ! grep -qE '^--scene(=|$)' <<<"${options[args]-}"; then
     arguments+=(--scene "$scene")
   fi
+  # Where scripts/page finds it: in a folder that its user alone can enter.
+  if [[ $service == mmi ]] && ! grep -qE '^--listen(=|$)' <<<"${options[args]-}"; then
+    arguments+=(--listen "$runtime_dir/page.sock")
+  fi
   if [[ -n ${options[robot]} ]]; then arguments+=(--robot "${options[robot]}"); fi
   if [[ -n ${options[lcm_url]} ]]; then arguments+=(--lcm-url "${options[lcm_url]}"); fi
   if [[ -n ${options[args]-} ]]; then mapfile -t -O ${#arguments[@]} arguments <<<"${options[args]}"; fi

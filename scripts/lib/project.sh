@@ -65,27 +65,38 @@ usage_error() {
   exit 2
 }
 
-# required_packages: the names in the lists of packages, one a line; in an installed tree those that it cannot run without.
+# package_groups: the groups that the lists of packages have, one a line.
 package_lists=("$repository/scripts/packages.txt")
+package_groups() { sed -n 's/^\[\([a-z]*\)\].*/\1/p' "${package_lists[@]}"; }
+
+# required_packages [GROUP...]: the names in the lists of packages, one a line: those of all groups where none is named, and
+# those of no group. In an installed tree those that it cannot run without.
 required_packages() {
-  awk -v installed="$installed" '{ sub(/#.*/, "") } NF && (installed == "no" || $2 == "Depends") { print $1 }' \
-    "${package_lists[@]}"
+  awk -v installed="$installed" -v groups=" $* " 'FNR == 1 { group = "" }
+    { sub(/#.*/, "") }
+    /^\[/ { group = substr($1, 2, length($1) - 2); next }
+    NF && (groups == "  " || group == "" || index(groups, " " group " ")) && (installed == "no" || $2 == "Depends") {
+      print $1 }' "${package_lists[@]}"
 }
 
-# missing_packages: those of them that are not installed, one a line; nothing where dpkg does not exist.
+# missing_packages [GROUP...]: those of them that are not installed, one a line; nothing where dpkg does not exist. What
+# another package provides is there: the nodejs of its makers brings npm, and Debian's npm cannot be installed beside it.
 missing_packages() {
   command -v dpkg-query >/dev/null || return 0
-  # shellcheck disable=SC2016 # dpkg's variables, not the shell's
-  # dpkg-query exits 1 when it does not know a name: that name is then missing from its output as well.
-  comm -23 <(required_packages | sort -u) \
-    <(required_packages | xargs dpkg-query -W -f='${db:Status-Status} ${Package}\n' 2>/dev/null |
-      sed -n 's/^installed //p' | sort -u)
+  # shellcheck disable=SC2016 # dpkg's and awk's variables, not the shell's
+  comm -23 <(required_packages "$@" | sort -u) \
+    <(dpkg-query -W -f='${db:Status-Status}\t${Package}\t${Provides}\n' |
+      awk -F '\t' '$1 == "installed" {
+        print $2
+        count = split($3, provided, /, */)
+        for (i = 1; i <= count; ++i) { sub(/ .*/, "", provided[i]); print provided[i] }
+      }' | sort -u)
 }
 
-# warn_of_missing_packages: one line that names them and the command that mends it.
+# warn_of_missing_packages [GROUP...]: one line that names them and the command that mends it.
 warn_of_missing_packages() {
   local missing
-  missing=$(missing_packages | paste -sd ' ')
+  missing=$(missing_packages "$@" | paste -sd ' ')
   if [[ -n $missing ]]; then
     warn "missing packages: $missing (${install_command:-scripts/install} installs them)"
   fi

@@ -2,6 +2,19 @@
 # One stack of services under one supervisord, described by the files in its runtime folder. To be sourced after
 # project.sh; works on the variables runtime_dir and log_dir (absolute paths).
 
+# default_runtime_dir: the folder of the stack that nobody has named another for.
+default_runtime_dir() {
+  local folder=/tmp/markservo-$UID
+  if [[ -n ${XDG_RUNTIME_DIR-} && -O $XDG_RUNTIME_DIR && -w $XDG_RUNTIME_DIR ]]; then folder=$XDG_RUNTIME_DIR/markservo; fi
+  # A stack belongs to its network: another network's is neither seen nor stopped.
+  case ${MARKSERVO_PRIVATE_NETWORK-} in
+    '') ;;
+    port) folder+=-$(cksum <<<"$MARKSERVO_LCM_URL" | cut -d ' ' -f 1) ;;
+    *) folder+=-$(stat -L -c %i /proc/self/ns/net) ;;
+  esac
+  printf '%s\n' "$folder"
+}
+
 # supervise ACTION [ARGUMENT...]: asks its supervisord; scripts/lib/supervise explains the actions.
 supervise() { "$repository/scripts/lib/supervise" "$runtime_dir/supervisor.sock" "$@"; }
 
