@@ -42,6 +42,7 @@ std::string MmiNode::hello(const robot::RobotDescription& robot, const nlohmann:
   hello.update(own);
   hello.update(vocabulary_json());
   hello["stop_devices"] = robot.stop_devices;
+  hello["update_at_least_every"] = kUpdateAtLeastEvery;
   hello["scene"] = scene_json(robot, options_.tag_field);
   std::string text = reflection::json_text(hello, -1);
   text.erase(text.rfind('}'));

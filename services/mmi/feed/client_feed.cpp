@@ -131,7 +131,8 @@ std::optional<std::string> ClientFeed::update_text() {
   add_part(parts, "latency", world.latency(), told_.latency);
   add_part(parts, "stop", host_.stop_state(), told_.stop);
   add_part(parts, "play", shown_->play(), told_.play);
-  if (parts.empty()) return std::nullopt;
+  const bool is_due = !updated_at_ || now - *updated_at_ >= kUpdateAtLeastEvery;
+  if (parts.empty() && !is_due) return std::nullopt;
   updated_at_ = now;
   return fmt::format("{{\"type\":\"update\",\"number\":{},\"now\":\"{}\"", ++update_, shown_->utime()) + parts + "}";
 }

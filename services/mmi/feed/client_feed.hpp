@@ -25,6 +25,9 @@ class FeedHost {
   virtual double now() const = 0;  // s of a steady clock
 };
 
+// s: who hears nothing for longer knows that there is nobody, or nobody at work.
+inline constexpr double kUpdateAtLeastEvery = 0.25;
+
 struct FeedParameters {
   double update_every = 0.05;         // s: 20 a second, which an eye takes as motion
   double picture_every = 1.0 / 15.0;  // s

@@ -230,6 +230,16 @@ TEST_F(FedClient, IsToldWhenTheStopChanges) {
   EXPECT_TRUE(told().empty() || !told().back().contains("stop"));
 }
 
+TEST_F(FedClient, IsToldThatNothingIsNew) {
+  greet();
+  told();
+  EXPECT_TRUE(told().empty());
+  now_ += 0.25;
+  const auto all = told();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].size(), 3U) << all[0];
+}
+
 TEST_F(FedClient, HasNoTimeToTurnBackOnARobot) {
   greet();
   EXPECT_NE(feed_.hear(R"({"type":"seek","utime":"5"})"), "");
