@@ -1,4 +1,4 @@
-// Builds the page: `services/mmi/page/build OUT` writes OUT/index.html, OUT/app.js and OUT/app.css.
+// Builds the page: `services/mmi/page/build OUT` writes OUT/index.html, OUT/icon.svg, OUT/app.js and OUT/app.css.
 // Exit code 2: no folder given, 3: npm is missing or reaches no registry, 1: the page does not build.
 import {spawnSync} from 'node:child_process';
 import {existsSync, mkdirSync, mkdtempSync, readdirSync, renameSync, rmSync, copyFileSync, statSync} from 'node:fs';
@@ -52,7 +52,7 @@ async function bundle(folder) {
     legalComments: 'eof',
     logLevel: 'error',
   });
-  copyFileSync(join(here, 'src/index.html'), join(folder, 'index.html'));
+  for (const name of ['index.html', 'icon.svg']) copyFileSync(join(here, 'src', name), join(folder, name));
 }
 
 if (process.argv.length !== 3) fail(2, 'usage: services/mmi/page/build OUT');
