@@ -101,7 +101,13 @@ void Bus::subscribe_all(lcm::LCM& lcm) {
 
 void Bus::subscribe_to_everything(lcm::LCM& lcm) {
   const std::string prefix = parameters_.robot.empty() ? "" : escape(parameters_.robot + "/");
-  lcm.subscribeFunction(prefix + ".*", &Bus::receive_any, this)->setQueueCapacity(on_all_queue_);
+  std::string large;
+  for (const channels::Entry& channel : channels::kAll) {
+    if (channel.large) large += (large.empty() ? "" : "|") + escape(channel.name);
+  }
+  lcm.subscribeFunction(prefix + "(" + large + ")", &Bus::receive_any, this)->setQueueCapacity(on_all_most_.large);
+  lcm.subscribeFunction(prefix + "(?!(" + large + ")$).*", &Bus::receive_any, this)
+      ->setQueueCapacity(on_all_most_.small);
 }
 
 void Bus::receive_any(const lcm::ReceiveBuffer* buffer, const std::string& channel, Bus* bus) {
@@ -113,8 +119,8 @@ void Bus::receive_any(const lcm::ReceiveBuffer* buffer, const std::string& chann
   }
 }
 
-void Bus::on_all(int queue, std::function<void(const HeardBytes& message)> handler) {
-  on_all_queue_ = queue;
+void Bus::on_all(WaitingMessages most, std::function<void(const HeardBytes& message)> handler) {
+  on_all_most_ = most;
   on_all_ = std::move(handler);
   if (lcm::LCM* lcm = network_->in().lcm()) subscribe_to_everything(*lcm);
 }

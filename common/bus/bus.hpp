@@ -46,6 +46,12 @@ namespace markservo::bus {
 
 class Network;
 
+// How many messages wait while nobody polls; beyond them liblcm drops.
+struct WaitingMessages {
+  int large = 0;  // of the table's large channels: a picture pair is 2 MB
+  int small = 0;  // of all others
+};
+
 // How long a channel that is needed may be silent, s: above the pauses of a busy machine and of a service that is
 // restarted, and well below the 5 s after which nobody may call a deaf service ready.
 inline constexpr double kNeededWithin = 3.0;
@@ -82,10 +88,10 @@ class Bus final : private SubscriptionHost, private MessageSink {
   // A channel of any type, as bytes that nobody looks into: only for who passes messages on. False counts the message
   // as skipped; what it throws, as refused.
   void on_raw(const std::string& channel, RawSubscription::Handler handler);
-  // All channels (of the robot), as bytes, in the order in which they come, by one subscription: only for who shows
-  // them. `queue` messages wait while nobody polls, beyond them liblcm drops. Messages of this kind are not counted in
-  // SERVICE_STATUS, nor is a writer's time taken from them. What `handler` throws is complained of.
-  void on_all(int queue, std::function<void(const HeardBytes& message)> handler);
+  // All channels (of the robot), as bytes, in the order in which they come, each message once: only for who shows them.
+  // Messages of this kind are not counted in SERVICE_STATUS, nor is a writer's time taken from them. What `handler`
+  // throws is complained of.
+  void on_all(WaitingMessages most, std::function<void(const HeardBytes& message)> handler);
   // Sends bytes as they are. False if the network refused them, which is counted.
   bool publish_raw(const std::string& channel, const void* data, std::size_t size);
 
@@ -178,7 +184,7 @@ class Bus final : private SubscriptionHost, private MessageSink {
   std::int64_t session_ = 0;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
   std::function<void(const HeardBytes& message)> on_all_;
-  int on_all_queue_ = 0;
+  WaitingMessages on_all_most_;
   std::vector<std::string> advertised_;
   std::vector<std::pair<const Bus*, std::string>> reported_also_;  // with their channels' prefix
   Timers timers_;

@@ -134,7 +134,7 @@ TEST_F(BusDelivery, OfAllChannelsHandsOverEveryByteInOrder) {
   Bus bus(parameters());
   std::vector<std::string> channels;
   std::vector<std::size_t> sizes;
-  bus.on_all(10, [&](const HeardBytes& message) {
+  bus.on_all({10, 10}, [&](const HeardBytes& message) {
     channels.push_back(message.channel);
     sizes.push_back(message.size);
   });
@@ -151,16 +151,28 @@ TEST_F(BusDelivery, OfAllChannelsHandsOverEveryByteInOrder) {
 TEST_F(BusDelivery, OfAllChannelsHandsOverOneRobotsOnly) {
   Bus bus(parameters("r.1"));
   std::vector<std::string> channels;
-  bus.on_all(10, [&](const HeardBytes& message) { channels.push_back(message.channel); });
+  bus.on_all({10, 10}, [&](const HeardBytes& message) { channels.push_back(message.channel); });
   bus.publish_raw("JOINT_STATE", "abc", 3);
   settle(bus);
   EXPECT_EQ(channels, std::vector<std::string>{"r.1/JOINT_STATE"});
 }
 
+TEST_F(BusDelivery, OfAllChannelsHandsOverLargeOnesOnceAndAmongTheOthers) {
+  Bus bus(parameters("r.1"));
+  std::vector<std::string> channels;
+  bus.on_all({10, 10}, [&](const HeardBytes& message) { channels.push_back(message.channel); });
+  for (const char* channel : {"A", "STEREO_FRAME", "STEREO_FRAME_OF_OTHERS", "MARK_DETECTION", "B"}) {
+    bus.publish_raw(channel, "abc", 3);
+  }
+  settle(bus);
+  EXPECT_EQ(channels, (std::vector<std::string>{"r.1/A", "r.1/STEREO_FRAME", "r.1/STEREO_FRAME_OF_OTHERS",
+                                                "r.1/MARK_DETECTION", "r.1/B"}));
+}
+
 TEST_F(BusDelivery, OfAllChannelsGoesOnAfterAHandlerThrew) {
   Bus bus(parameters());
   int heard = 0;
-  bus.on_all(10, [&](const HeardBytes& /*message*/) {
+  bus.on_all({10, 10}, [&](const HeardBytes& /*message*/) {
     if (++heard == 1) throw std::runtime_error("no room");
   });
   bus.publish_raw("A", "1", 1);
