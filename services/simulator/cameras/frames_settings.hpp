@@ -13,7 +13,7 @@ struct FramesSettings {
 
 inline constexpr Setting<FramesSettings> kFramesSettings[] = {
     {"frames.rate_hz", &FramesSettings::rate_hz, 4.0, 100.0, TakesEffect::kAtOnce, "Hz"},
-    {"frames.drop_rate", &FramesSettings::drop_rate, 0.0, 0.95, TakesEffect::kAtOnce, "share of frames that are lost"},
+    {"frames.drop_rate", &FramesSettings::drop_rate, 0.0, 1.0, TakesEffect::kAtOnce, "share of frames that are lost"},
 };
 
 // In lockstep, which waits for whatever takes long, a real camera's 30 frames a second.

@@ -1,5 +1,6 @@
 #include "services/simulator/marks/marks.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "services/simulator/marks/mark_mjcf.hpp"
@@ -8,9 +9,21 @@
 namespace markservo::simulator {
 
 Marks::Marks(const mjModel_* model, const std::vector<robot::MarkDescription>& marks) {
+  int number = 0;
   for (const robot::MarkDescription& mark : marks) {
+    ++number;
     const int geom = mj_name2id(model, mjOBJ_GEOM, print_name(mark.name).c_str());
-    if (geom >= 0) marks_.push_back({mark.name, geom});
+    if (geom >= 0) marks_.push_back({mark.name, number, geom, model->geom_matid[geom]});
+  }
+}
+
+void Marks::cover(mjModel_* model, const MarkSettings& settings) const {
+  constexpr int kNoMaterial = -1;  // then a geom has its own colour
+  constexpr float kCard = 0.5F;
+  for (const Mark& mark : marks_) {
+    const bool covered = static_cast<double>(mark.number) == settings.covered;
+    model->geom_matid[mark.geom] = covered ? kNoMaterial : mark.material;
+    if (covered) std::fill_n(model->geom_rgba + 4 * mark.geom, 3, kCard);
   }
 }
 

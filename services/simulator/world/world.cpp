@@ -38,6 +38,7 @@ World::World(const robot::RobotDescription& robot, const Scene& scene, const Set
       rays_(frame, scene.room.floor_z),
       clearance_(robot, frame, scene.room.floor_z) {
   obstacle_.put(physics_.model(), data(), settings.obstacle);
+  marks_.cover(physics_.model(), settings.marks);
   for (int i = 0; i < static_cast<int>(kSettlingTime / kTimeStep); ++i) step();
   touch_.forget();
   mj_step1(model(), data());
@@ -49,6 +50,7 @@ void World::change(const Settings& settings) {
   arm_.change(settings.servo);
   gripper_.change(settings.gripper);
   obstacle_.put(physics_.model(), data(), settings.obstacle);
+  marks_.cover(physics_.model(), settings.marks);
 }
 
 void World::command(const ArmCommand& command) {

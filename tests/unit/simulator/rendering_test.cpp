@@ -106,6 +106,29 @@ TEST(Rendering, MarksAreDrawnWhereTheTruthProjects) {
   EXPECT_LT(worst_m, 0.0004);
 }
 
+// How colourful the middle of a mark is in the left image: the distance of its pixel from grey, of 255.
+double colourfulness(World& world, const std::string& name) {
+  const auto& camera = test_robot().cameras.stereo;
+  const cv::Mat image = renderer().render(world.physics()).left;
+  for (const auto& mark : world.truth().marks) {
+    if (mark.name != name) continue;
+    const auto at = geometry::project(camera, mark.p_CM);
+    return cv::norm(colour_part(image.at<cv::Vec3b>(cv::Point(static_cast<int>(at->u_left), static_cast<int>(at->v)))));
+  }
+  return 0.0;
+}
+
+TEST(Rendering, ACoveredMarkIsGreyUntilTheCardIsTakenAway) {
+  constexpr double kRedBook = 2.0;  // its place in robot.yaml
+  World world(test_robot(), plain_scene(), test_settings({}), 1);
+  EXPECT_GT(colourfulness(world, "red_book"), 60.0);
+  world.change(test_settings({{"marks.covered", kRedBook}}));
+  EXPECT_LT(colourfulness(world, "red_book"), 15.0);
+  EXPECT_GT(colourfulness(world, "blue_book"), 60.0);
+  world.change(test_settings({}));
+  EXPECT_GT(colourfulness(world, "red_book"), 60.0);
+}
+
 // How bright and how far apart a mark's pixels are, well inside it.
 cv::Scalar deviation_within(World& world, const std::string& name) {
   const robot::RobotDescription robot = test_robot();

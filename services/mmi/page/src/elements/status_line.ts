@@ -16,9 +16,9 @@ const kDrawnLately_s = 2;
 const kBesideStop_px = 400;
 const kLetter_px = 15.5;
 
-/** In two lines of 28 px beside Stop. */
+/** In three lines of 28 px beside Stop. */
 function lettersThatFit(): number {
-  return (2 * (innerWidth - kBesideStop_px)) / kLetter_px;
+  return (3 * (innerWidth - kBesideStop_px)) / kLetter_px;
 }
 
 /** What the robot does, what is worst, what mends it: of the present, even while the views show the past. */
