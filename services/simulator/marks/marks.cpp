@@ -1,6 +1,7 @@
 #include "services/simulator/marks/marks.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "services/simulator/marks/mark_mjcf.hpp"
@@ -20,10 +21,11 @@ Marks::Marks(const mjModel_* model, const std::vector<robot::MarkDescription>& m
 void Marks::cover(mjModel_* model, const MarkSettings& settings) const {
   constexpr int kNoMaterial = -1;  // then a geom has its own colour
   constexpr float kCard = 0.5F;
+  constexpr std::ptrdiff_t kColour = 4;  // numbers, red, green, blue and alpha
   for (const Mark& mark : marks_) {
     const bool covered = static_cast<double>(mark.number) == settings.covered;
     model->geom_matid[mark.geom] = covered ? kNoMaterial : mark.material;
-    if (covered) std::fill_n(model->geom_rgba + 4 * mark.geom, 3, kCard);
+    if (covered) std::fill_n(model->geom_rgba + kColour * mark.geom, 3, kCard);
   }
 }
 
