@@ -2,6 +2,7 @@
 
 // The messages of one frame's way through the chain, as bytes of the bus.
 
+#include <cstddef>
 #include <cstdint>
 #include <markservo/JointCommand.hpp>
 #include <markservo/MarkDetection.hpp>
@@ -18,8 +19,9 @@
 namespace markservo::mmi {
 
 struct FrameMessages {
-  static constexpr int kWidth = 32;   // px
-  static constexpr int kHeight = 16;  // px
+  static constexpr int kWidth = 32;                                         // px
+  static constexpr int kHeight = 16;                                        // px
+  static constexpr std::size_t kBytes = std::size_t{kWidth} * kHeight * 3;  // of each picture
 
   std::int64_t session = 41;
   std::int64_t seq = 1;
@@ -35,8 +37,8 @@ struct FrameMessages {
     frame.calibration.baseline = 0.065;
     frame.width = kWidth;
     frame.height = kHeight;
-    frame.left.assign(kWidth * kHeight * 3, 200);
-    frame.right.assign(kWidth * kHeight * 3, 50);
+    frame.left.assign(kBytes, 200);
+    frame.right.assign(kBytes, 50);
     frame.left_size = static_cast<std::int32_t>(frame.left.size());
     frame.right_size = static_cast<std::int32_t>(frame.right.size());
     return test::encoded(frame);
