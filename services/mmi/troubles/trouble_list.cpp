@@ -31,6 +31,10 @@ double TroubleList::begin_of(TroubleCode code) const {
   return 0.0;
 }
 
+double TroubleList::end_of(TroubleCode code) const {
+  return code == TroubleCode::kMessagesLost ? parameters_.loss_end : parameters_.end;
+}
+
 const std::vector<Trouble>& TroubleList::step(const Findings& findings, double now) {
   for (const Finding& finding : findings) {
     const Trouble& trouble = finding.trouble;
@@ -47,7 +51,8 @@ const std::vector<Trouble>& TroubleList::step(const Findings& findings, double n
     shown.last = now;
   }
   for (auto shown = shown_.begin(); shown != shown_.end();) {
-    shown = now - shown->second.last > parameters_.end ? shown_.erase(shown) : std::next(shown);
+    const bool is_over = now - shown->second.last > end_of(shown->first.first);
+    shown = is_over ? shown_.erase(shown) : std::next(shown);
   }
   std::vector<const Shown*> order;
   order.reserve(shown_.size());

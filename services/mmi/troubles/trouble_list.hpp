@@ -13,6 +13,7 @@ namespace markservo::mmi {
 // A trouble is to be shown within 1 s, and to be gone within 2 s.
 struct TroubleListParameters {
   double end = 0.5;        // s, after the last sign
+  double loss_end = 0.1;   // s, likewise of lost messages: their sign lasts until a service's next word, a second later
   double process = 0.5;    // s: what is killed once is running again by then
   double mark = 0.5;       // s: some frames without a mark are common; a task gives up after 1 s at the soonest
   double base = 0.4;       // s: a turn may find a way at once; a pose is found again by the next round of tags
@@ -35,6 +36,7 @@ class TroubleList {
   };
 
   double begin_of(TroubleCode code) const;
+  double end_of(TroubleCode code) const;
 
   TroubleListParameters parameters_;
   std::map<std::pair<TroubleCode, std::string>, Shown> shown_;
