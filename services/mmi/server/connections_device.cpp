@@ -330,13 +330,13 @@ void ServerShared::end() {
   }
 }
 
-void serve_connection(asio::ip::tcp::socket socket, std::shared_ptr<ServerShared> shared) {
+void serve_connection(asio::ip::tcp::socket socket, const std::shared_ptr<ServerShared>& shared) {
   error_code ignored;
   socket.set_option(asio::ip::tcp::no_delay(true), ignored);
   serve<TcpStream>(std::move(socket), shared);
 }
 
-void serve_connection(stream_protocol::socket socket, std::shared_ptr<ServerShared> shared) {
+void serve_connection(stream_protocol::socket socket, const std::shared_ptr<ServerShared>& shared) {
   serve<LocalStream>(std::move(socket), shared);
 }
 

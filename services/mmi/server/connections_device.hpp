@@ -37,7 +37,7 @@ struct ServerShared {
 };
 
 // Reads requests from `socket` and answers them until it ends; closes it at once when there are too many.
-void serve_connection(boost::asio::ip::tcp::socket socket, std::shared_ptr<ServerShared> shared);
-void serve_connection(boost::asio::local::stream_protocol::socket socket, std::shared_ptr<ServerShared> shared);
+void serve_connection(boost::asio::ip::tcp::socket socket, const std::shared_ptr<ServerShared>& shared);
+void serve_connection(boost::asio::local::stream_protocol::socket socket, const std::shared_ptr<ServerShared>& shared);
 
 }  // namespace markservo::mmi
