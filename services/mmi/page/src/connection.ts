@@ -1,4 +1,4 @@
-import type {Hello, ToServer, Update} from './protocol.js';
+import type {Hello, Stop, ToServer, Update} from './protocol.js';
 
 export type Life = 'open' | 'silent' | 'lost';
 
@@ -7,6 +7,8 @@ export interface Hearer {
   onUpdate(update: Update): void;
   onPicture(bytes: ArrayBuffer): void;
   onLife(life: Life, why: string): void;
+  /** A Stop has failed. */
+  onStopFate(): void;
 }
 
 export interface ConnectionParameters {
@@ -16,7 +18,7 @@ export interface ConnectionParameters {
   give_up_ms: number;
   /** ms between two tries. */
   retry_ms: number;
-  /** ms after which a Stop that could not be sent is no longer sent: nobody expects it any more. */
+  /** ms after which a Stop that nobody has answered is no longer sent: nobody expects it any more. */
   stop_valid_ms: number;
 }
 
@@ -27,13 +29,20 @@ export const kConnectionParameters: ConnectionParameters = {
   stop_valid_ms: 10000,
 };
 
+/** What became of the newest Stop: no socket could take it yet, it went out without an answer yet, nobody answered it. */
+export type StopFate = 'waiting' | 'sent' | 'failed';
+
 /** The socket to mmi, opened anew whenever it is lost. */
 export class Connection {
   private socket: WebSocket | null = null;
   private heard_ms = 0;
   private watched_ms = 0;
   private life: Life = 'lost';
-  private stop_wanted: {reason: string; at_ms: number} | null = null;
+  /** Until mmi tells of it: a socket takes what nobody reads. */
+  private stop_wanted: {reason: string; at_ms: number; sent: boolean; beside: string} | null = null;
+  private stop_failed = false;
+  /** The newest request that mmi has told of, and its state. */
+  private stop_told = '';
   /** mmi wants a token that we do not have: it lets us stop, and nothing else. */
   private only_stop = false;
   /** mmi has promised never to be silent for long: silence means that it is lost. */
@@ -56,13 +65,17 @@ export class Connection {
 
   /** STOP, at once or as soon as there is a socket again. False: it could not be sent yet. */
   stop(reason: string): boolean {
-    this.stop_wanted = {reason, at_ms: performance.now()};
+    this.stop_wanted = {reason, at_ms: performance.now(), sent: false, beside: this.stop_told};
+    this.stop_failed = false;
     if (this.only_stop && !this.socket) this.open();
     return this.sendStop();
   }
 
-  get stopIsWaiting(): boolean {
-    return this.stop_wanted !== null;
+  /** Null: none is under way, or mmi has told of it. */
+  get stopFate(): StopFate | null {
+    if (this.stop_failed) return 'failed';
+    if (!this.stop_wanted) return null;
+    return this.stop_wanted.sent ? 'sent' : 'waiting';
   }
 
   pictures(on: boolean): void {
@@ -127,8 +140,17 @@ export class Connection {
   }
 
   private onUpdate(update: Update): void {
-    this.hearer.onUpdate(update);
     if (update.number !== undefined) this.send({type: 'took', number: update.number});
+    if (update.stop) this.onStop(update.stop);
+    this.hearer.onUpdate(update);
+  }
+
+  /** A Stop beside one that is under way is the same request; any other is a new one. */
+  private onStop(stop: Stop): void {
+    this.stop_told = `${stop.request ?? ''} ${stop.state}`;
+    const wanted = this.stop_wanted;
+    if (!wanted?.sent || stop.state === 'idle') return;
+    if (this.stop_told !== wanted.beside || stop.state === 'requested') this.stop_wanted = null;
   }
 
   private onClose(socket: WebSocket, event: CloseEvent): void {
@@ -138,12 +160,17 @@ export class Connection {
     if (refused) this.only_stop = true;
     if (refused || !this.only_stop) this.tell('lost', event.reason);
     // Without a token a socket is opened for a Stop alone.
-    if (this.only_stop && !this.stop_wanted) return;
+    if (this.only_stop && (!this.stop_wanted || this.stop_wanted.sent)) return;
     this.retry = setTimeout(() => this.open(), this.parameters.retry_ms) as unknown as number;
   }
 
   private watch(): void {
     const now = performance.now();
+    if (this.stop_wanted && now - this.stop_wanted.at_ms > this.parameters.stop_valid_ms) {
+      this.stop_failed = !this.only_stop || !this.stop_wanted.sent;
+      this.stop_wanted = null;
+      this.hearer.onStopFate();
+    }
     // A page that slept (a laptop's lid, a debugger) has not heard because it did not listen.
     if (now - this.watched_ms > 500) this.heard_ms = Math.max(this.heard_ms, now - this.parameters.silence_ms / 2);
     this.watched_ms = now;
@@ -162,13 +189,8 @@ export class Connection {
   private sendStop(): boolean {
     const wanted = this.stop_wanted;
     if (!wanted) return true;
-    if (performance.now() - wanted.at_ms > this.parameters.stop_valid_ms) {
-      this.stop_wanted = null;
-      return false;
-    }
-    if (!this.send({type: 'stop', reason: wanted.reason})) return false;
-    this.stop_wanted = null;
-    return true;
+    wanted.sent = this.send({type: 'stop', reason: wanted.reason});
+    return wanted.sent;
   }
 
   private tell(life: Life, why: string): void {

@@ -73,6 +73,8 @@ export function unitOfField(path: string): {unit: string; factor: number} {
     .split('.')
     .pop()!
     .replace(/\[\d+\]$/, '');
+  if (/(^|\.)(left|right)\.(patch\.)?(x|y|width|height)$/.test(path)) return {unit: 'px', factor: 1};
+  if (/(^|\.)normal(_[A-Z]+)?\./.test(path)) return {unit: '', factor: 1};
   if (/_px$|^(u|v|u_left|v_left|u_right|v_right|residual)$/.test(name)) return {unit: 'px', factor: 1};
   if (/^(heading|heading_error|position|shaft|direction)$/.test(name)) return {unit: '°', factor: 180 / Math.PI};
   if (/error_C/.test(path)) return {unit: 'mm', factor: 1000};

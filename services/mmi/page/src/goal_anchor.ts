@@ -1,4 +1,5 @@
 import {compose, type Pose} from './drawing/geometry.js';
+import {finitePose} from './numbers.js';
 import type {BusMessage} from './protocol.js';
 
 const kDrive = 1;
@@ -11,13 +12,14 @@ export class GoalAnchor {
 
   /** The goal's pose in W; null when there is none, or the robot's own was not known. */
   goal(message: BusMessage | null, robot: Pose | null): Pose | null {
-    if (message?.kind !== kDrive || !message.pose) return null;
-    if (message.frame !== kInRobot) return message.pose as Pose;
+    const pose = finitePose(message?.pose);
+    if (message?.kind !== kDrive || !pose) return null;
+    if (message.frame !== kInRobot) return pose;
     const name = `${message.session} ${message.goal_id}`;
     if (name !== this.name) {
       this.name = name;
       this.robot = robot;
     }
-    return this.robot ? compose(this.robot, message.pose as Pose) : null;
+    return this.robot ? compose(this.robot, pose) : null;
   }
 }

@@ -3,6 +3,8 @@
 interface Entry {
   at: number;
   text: string;
+  /** Counts what was taken in. */
+  number: number;
 }
 
 interface Track {
@@ -19,6 +21,7 @@ export class TextHistory {
   private order: string[] = [];
   private order_first = 0;
   private bytes_ = 0;
+  private number = 0;
 
   /** `byte_limit`: of the texts, one byte a character; `age_limit_us`: of the oldest against the newest. */
   constructor(
@@ -44,14 +47,24 @@ export class TextHistory {
     return [...this.tracks.keys()];
   }
 
-  /** Takes in a value of `id` that holds from `at` (us) on. Values of one id come in the order of time. */
+  /**
+   * Takes in a value of `id` that holds from `at` (us) on. Values may come out of the order of time (a log is gone back
+   * in); one of a time that is known takes the other's place.
+   */
   add(id: string, at: number, value: unknown): void {
     const text = JSON.stringify(value);
     let track = this.tracks.get(id);
     if (!track) this.tracks.set(id, (track = {entries: [], first: 0, before: null}));
-    track.entries.push({at, text});
-    this.order.push(id);
+    const index = indexAfter(track.entries, track.first, at);
+    const before = index > track.first ? track.entries[index - 1]! : null;
     this.bytes_ += text.length;
+    if (before?.at === at) {
+      this.bytes_ -= before.text.length;
+      track.entries[index - 1] = {at, text, number: ++this.number};
+    } else {
+      track.entries.splice(index, 0, {at, text, number: ++this.number});
+      this.order.push(id);
+    }
     while (this.bytes_ > this.byte_limit || this.oldestIsBefore(at - this.age_limit_us)) {
       if (!this.forgetOldest()) break;
     }
@@ -61,14 +74,8 @@ export class TextHistory {
   at(id: string, at: number): unknown {
     const track = this.tracks.get(id);
     if (!track) return undefined;
-    let low = track.first;
-    let high = track.entries.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (track.entries[middle]!.at <= at) low = middle + 1;
-      else high = middle;
-    }
-    const entry = low > track.first ? track.entries[low - 1] : track.before;
+    const index = indexAfter(track.entries, track.first, at);
+    const entry = index > track.first ? track.entries[index - 1] : track.before;
     return entry && entry.at <= at ? JSON.parse(entry.text) : undefined;
   }
 
@@ -79,6 +86,16 @@ export class TextHistory {
     for (let i = track.first; i < track.entries.length; i++) {
       const entry = track.entries[i]!;
       if (entry.at >= begin && entry.at <= end) yield {at: entry.at, value: JSON.parse(entry.text)};
+    }
+  }
+
+  /** What was taken in of `id` after the value of that number, in the order of time. */
+  *after(id: string, number: number): Generator<{at: number; value: unknown; number: number}> {
+    const track = this.tracks.get(id);
+    if (!track) return;
+    for (let i = track.first; i < track.entries.length; i++) {
+      const entry = track.entries[i]!;
+      if (entry.number > number) yield {at: entry.at, value: JSON.parse(entry.text), number: entry.number};
     }
   }
 
@@ -105,7 +122,7 @@ export class TextHistory {
     const entry = track.entries[track.first]!;
     if (track.before) this.bytes_ -= track.before.text.length;
     track.before = entry;
-    track.entries[track.first] = {at: entry.at, text: ''};
+    track.entries[track.first] = {...entry, text: ''};
     track.first++;
     if (track.first > kForgottenBeforeTidying) {
       track.entries.splice(0, track.first);
@@ -117,6 +134,18 @@ export class TextHistory {
     }
     return this.order_first < this.order.length;
   }
+}
+
+/** The first index from `first` on whose time is after `at`. */
+function indexAfter(entries: Entry[], first: number, at: number): number {
+  let low = first;
+  let high = entries.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (entries[middle]!.at <= at) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 /** Pictures as they came, bounded by bytes and by age. */

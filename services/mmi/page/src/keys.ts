@@ -31,6 +31,8 @@ const kAsked: Record<string, Asked> = {
 
 export interface Key {
   key: string;
+  /** The key's place, whatever a layout writes there. */
+  code?: string;
   ctrlKey: boolean;
   altKey: boolean;
   metaKey: boolean;
@@ -40,13 +42,13 @@ export interface Key {
 export function keyOf(event: Key, types_text: boolean): Asked | null {
   if (event.key === 'Escape') return 'stop';
   if (types_text || event.ctrlKey || event.altKey || event.metaKey) return null;
-  return kAsked[event.key] ?? null;
+  return kAsked[event.key] ?? (event.code === 'KeyS' ? 'stop' : null);
 }
 
 /** Whether keys that go to this element are text. */
 export function typesText(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;
-  if (target.isContentEditable || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement)
-    return true;
+  // A list to choose from is no text: S stops there too.
+  if (target.isContentEditable || target instanceof HTMLTextAreaElement) return true;
   return target instanceof HTMLInputElement && !['checkbox', 'radio', 'range', 'button'].includes(target.type);
 }

@@ -132,7 +132,6 @@ export interface Places {
   frame_seq: Microseconds;
   marks: PlacedMark[];
   grip_goal_R: Point | null;
-  hand_goal_R?: Point | null;
 }
 
 /** Of a SONAR_SCAN: the sonar's pose in R and what it heard at, m. */
@@ -192,6 +191,9 @@ export interface ChannelFigures {
   bytes: number;
   bytes_per_second: number | null;
   undecodable: number;
+  /** How many messages break their type's rules, and how the last one did. */
+  refused?: number;
+  refusal?: string;
 }
 
 export interface Play {
@@ -217,7 +219,6 @@ export interface Update {
   figures?: Record<string, ChannelFigures>;
   latency?: Record<string, number | null>;
   play?: Play;
-  told_lost?: number;
 }
 
 export interface PictureHeader {

@@ -13,6 +13,8 @@ export interface ServiceRow {
   restarts: number | null;
   why: string;
   level: Level;
+  /** Its newest word is no message. */
+  bad: boolean;
 }
 
 /** us; a service says how it does every second. */
@@ -42,12 +44,16 @@ export function joinServices(
       restarts: null,
       why: '',
       level: 'good',
+      bad: false,
     };
     rows.set(key, fresh);
     return fresh;
   };
   for (const slot of services) {
-    if (!slot.message) continue;
+    if (!slot.message) {
+      Object.assign(row(slot.key || slot.channel, slot.key || slot.channel), badWords(slot));
+      continue;
+    }
     const service = row(slot.key, slot.message.name);
     Object.assign(service, {
       state: slot.message.state,
@@ -57,7 +63,10 @@ export function joinServices(
     });
   }
   for (const slot of processes) {
-    if (!slot.message) continue;
+    if (!slot.message) {
+      Object.assign(row(slot.key || slot.channel, slot.key || slot.channel), badWords(slot));
+      continue;
+    }
     const {name, state, pid, restarts, why} = slot.message;
     Object.assign(row(slot.key, name), {process: nameOfState(state), pid: pid || null, restarts, why});
   }
@@ -66,7 +75,12 @@ export function joinServices(
   return [...rows.values()].sort((a, b) => rank[a.level] - rank[b.level] || (a.key < b.key ? -1 : 1));
 }
 
+function badWords(slot: Slot): Partial<ServiceRow> {
+  return {bad: true, at: microseconds(slot.at), reason: `not a message: ${slot.bad ?? ''}`};
+}
+
 function levelOf(row: ServiceRow, now: number): Level {
+  if (row.bad) return now - (row.at ?? now) > kSilent_us ? 'info' : 'bad';
   if (row.process === 'STOPPED') return 'info';
   if (row.process !== null && kDead.has(row.process)) return 'bad';
   if (row.at === null || now - row.at > kSilent_us) return row.process === 'STARTING' ? 'info' : 'bad';

@@ -64,6 +64,7 @@ export const connection = new Connection(
       if (update.anew) awaitPicture();
     },
     onLife: (life, why) => store.onLife(life, why),
+    onStopFate: () => store.tell('choice'),
     onPicture: (bytes) => {
       const header = parsePicture(bytes).header;
       if (!store.is_log) store.pictures.add(microseconds(header.at), bytes);

@@ -14,6 +14,8 @@ const kPictureAge_us = 20e6;
 const kTextBytes = 60e6;
 const kTextAge_us = 300e6;
 const kEventsAtMost = 5000;
+/** Of a log all are kept, which mmi bounds. */
+const kEventsOfLogAtMost = 200000;
 const kTrailAtMost = 8000;
 
 /** All that the page knows, and what of it is chosen to be shown. */
@@ -24,9 +26,10 @@ export class Store {
   life_since_ms = performance.now();
   now = NaN;
   play: Play | null = null;
-  told_lost = 0;
   /** Counts up when what was known before is void. */
   generation = 0;
+  /** Counts the times that the source has gone elsewhere in its log. */
+  seeks = 0;
   events: RobotEvent[] = [];
   picture: ShownPicture | null = null;
   /** Where the robot was, oldest first. */
@@ -41,7 +44,8 @@ export class Store {
   reference: number | null = null;
 
   readonly pictures = new PictureHistory(kPictureBytes, kPictureAge_us);
-  readonly history = new TextHistory(kTextBytes, kTextAge_us);
+  /** Of a log: of all its stretches that have been shown. */
+  history = new TextHistory(kTextBytes, kTextAge_us);
 
   private readonly newest = new Map<string, unknown>();
   private readonly hearers = new Set<(change: Change) => void>();
@@ -94,12 +98,17 @@ export class Store {
     return this.is_log ? until(this.events, this.now) : this.events;
   }
 
+  private get events_at_most(): number {
+    return this.is_log ? kEventsOfLogAtMost : kEventsAtMost;
+  }
+
   onHello(hello: Hello): void {
-    const same = this.hello?.mode === hello.mode && this.hello.bus === hello.bus;
+    const named = (one: Hello): string => JSON.stringify([one.mode, one.bus, one.log?.begin]);
+    const same = this.hello !== null && named(this.hello) === named(hello);
     this.hello = hello;
     if (!same) this.forget();
     this.newest.clear();
-    this.events = hello.events.slice(-kEventsAtMost);
+    this.events = hello.events.slice(-this.events_at_most);
     this.tell('choice');
     this.tell('events');
   }
@@ -114,7 +123,6 @@ export class Store {
     for (const name of ['arm', 'places', 'floor', 'troubles', 'stop', 'figures', 'latency'] as const) {
       if (update[name] !== undefined) this.onPart(name, update[name] as Parts[typeof name], now);
     }
-    if (update.told_lost !== undefined) this.told_lost = update.told_lost;
     if (update.events && update.events.length > 0) this.onEvents(update.events);
     this.tell('state');
   }
@@ -128,9 +136,11 @@ export class Store {
 
   /** Shows the past at `at` (us), or, with null, the newest again. */
   pauseAt(at: number | null): void {
-    this.paused_at = at;
+    const turns = (this.paused_at === null) !== (at === null);
+    this.paused_at = at === null ? null : Math.round(at);
     this.past = null;
-    this.tell('choice');
+    // A time that is dragged along is drawn at each element's own pace.
+    this.tell(turns ? 'choice' : 'state');
   }
 
   select(what: string | null): void {
@@ -163,28 +173,32 @@ export class Store {
 
   private onPart<Name extends keyof Parts>(name: Name, value: Parts[Name], now: number): void {
     this.newest.set(partId(name), value);
-    this.history.add(partId(name), now, value);
+    // A log's past is asked of mmi; what is kept of it is for curves of messages.
+    if (!this.is_log) this.history.add(partId(name), now, value);
   }
 
   private onEvents(events: RobotEvent[]): void {
     const newest = this.events[this.events.length - 1]?.number ?? -Infinity;
     const fresh = events.filter((event) => event.number > newest);
     if (fresh.length === 0) return;
-    this.events = [...this.events, ...fresh].slice(-kEventsAtMost);
+    this.events = [...this.events, ...fresh].slice(-this.events_at_most);
     this.tell('events');
   }
 
   private beginAnew(): void {
     const stop = this.newest.get(partId('stop'));
     this.newest.clear();
-    this.generation++;
+    this.seeks++;
     this.trail = [];
     if (stop !== undefined) this.newest.set(partId('stop'), stop);
+    // A log does not change: what was heard of it stays true.
+    if (this.is_log) return;
     this.history.forget();
+    this.generation++;
   }
 
   private forget(): void {
-    this.history.forget();
+    this.history = new TextHistory(kTextBytes, this.is_log ? Infinity : kTextAge_us);
     this.generation++;
     this.trail = [];
     this.pictures.forget();
@@ -197,7 +211,14 @@ export class Store {
 }
 
 function until(events: RobotEvent[], at: number): RobotEvent[] {
-  return events.filter((event) => microseconds(event.at) <= at);
+  let low = 0;
+  let high = events.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (microseconds(events[middle]!.at) <= at) low = middle + 1;
+    else high = middle;
+  }
+  return events.slice(0, low);
 }
 
 function remembering(find: (id: string) => unknown): (id: string) => unknown {

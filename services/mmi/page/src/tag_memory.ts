@@ -13,9 +13,12 @@ export interface TagRow {
 }
 
 const kRowsAtMost = 200;
+/** The tags that nothing was said of for longest are forgotten beyond that. */
+const kKnownAtMost = 1000;
 
 /** What rounds of the reader said of tags, the last word of each. */
 export class TagMemory {
+  /** The one spoken of last at the end. */
   private rows_ = new Map<string, TagRow>();
   private utime = -Infinity;
 
@@ -29,6 +32,7 @@ export class TagMemory {
     const states = tagStates(floor);
     for (const row of this.rows_.values()) row.state = 'idle';
     for (const tag of floor.read) {
+      this.rows_.delete(tag.uid);
       this.rows_.set(tag.uid, {
         uid: tag.uid,
         state: 'read',
@@ -39,10 +43,17 @@ export class TagMemory {
       });
     }
     for (const [uid, state] of states) {
-      const row = this.rows_.get(uid);
-      if (row) row.state = state;
-      else this.rows_.set(uid, {uid, state, place: places.get(uid) ?? null, rssi: null, at: NaN, count: 0});
+      const row = this.rows_.get(uid) ?? {uid, state, place: places.get(uid) ?? null, rssi: null, at: NaN, count: 0};
+      row.state = state;
+      this.rows_.delete(uid);
+      this.rows_.set(uid, row);
     }
+    const oldest = this.rows_.keys();
+    while (this.rows_.size > kKnownAtMost) this.rows_.delete(oldest.next().value!);
+  }
+
+  get size(): number {
+    return this.rows_.size;
   }
 
   /** Newest first; at most 200, and none read after `now` (us). */

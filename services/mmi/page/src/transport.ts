@@ -1,6 +1,21 @@
 import {microseconds} from './format.js';
 import type {RobotEvent} from './protocol.js';
+import {Seeker} from './seeker.js';
 import {connection, showPastPicture, store} from './session.js';
+
+const seeker = new Seeker((at) => connection.send({type: 'seek', utime: String(at)}));
+let seeks = store.seeks;
+store.hear((change) => {
+  if (change !== 'state') return;
+  if (store.seeks !== seeks) seeker.arrived(performance.now());
+  else seeker.work(performance.now());
+  seeks = store.seeks;
+});
+
+/** us; where a log is being sought; null when it is where it shall be. */
+export function soughtTime(): number | null {
+  return seeker.target;
+}
 
 /** The time that is shown, us. */
 export function shownTime(): number {
@@ -44,11 +59,12 @@ export function playOrPause(): void {
 export function goTo(at: number): void {
   if (!Number.isFinite(at)) return;
   if (store.is_log) {
-    connection.send({type: 'seek', utime: String(Math.round(at))});
+    const {begin, end} = range();
+    seeker.seek(Math.round(Math.min(Math.max(at, begin), end)), performance.now());
     return;
   }
   const {begin, end} = range();
-  const within = Math.min(Math.max(at, begin), end);
+  const within = Math.round(Math.min(Math.max(at, begin), end));
   store.pauseAt(within);
   showPastPicture(within);
 }
@@ -58,18 +74,25 @@ export function showNewest(): void {
   else store.pauseAt(null);
 }
 
+/** us; of the picture gone to or, where a time between two was, of the one that is drawn: the next may have come since. */
+function pictureTime(): number {
+  const at = shownTime();
+  if (store.pictures.at(at)?.at === at || store.picture === null) return at;
+  return microseconds(store.picture.header.at);
+}
+
 /** One frame on or back. */
 export function step(by: 1 | -1): void {
   if (store.is_log) {
     connection.send({type: 'step', by});
     return;
   }
-  const next = store.pictures.step(shownTime(), by);
+  const next = store.pictures.step(pictureTime(), by);
   if (next !== null) goTo(next);
 }
 
 /** The first event after, or the last one before, a time (us). */
-export function eventFrom(events: RobotEvent[], at: number, by: 1 | -1): RobotEvent | null {
+function eventFrom(events: RobotEvent[], at: number, by: 1 | -1): RobotEvent | null {
   if (by > 0) return events.find((event) => microseconds(event.at) > at) ?? null;
   let before: RobotEvent | null = null;
   for (const event of events) {
@@ -80,6 +103,6 @@ export function eventFrom(events: RobotEvent[], at: number, by: 1 | -1): RobotEv
 }
 
 export function goToEvent(by: 1 | -1): void {
-  const event = eventFrom(store.events, shownTime(), by);
+  const event = eventFrom(store.events, soughtTime() ?? shownTime(), by);
   if (event) goTo(microseconds(event.at));
 }

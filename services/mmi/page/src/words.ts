@@ -1,6 +1,6 @@
 import type {Moment} from './moment.js';
-import type {Hello, Level} from './protocol.js';
-import {bytes} from './format.js';
+import type {Hello, Level, Slot} from './protocol.js';
+import {bytes, microseconds} from './format.js';
 
 /** What a phase means to who watches; a phase that is not listed is shown by its name alone. */
 const kPhaseWords: Record<string, string> = {
@@ -23,6 +23,12 @@ const kPhaseWords: Record<string, string> = {
   STOPPED: 'has been stopped',
 };
 
+/** What a panel says where a channel has no message to show: none was heard, or the newest is none. */
+export function noneWords(moment: Moment, channel: string): string {
+  const bad = moment.slot(channel)?.bad;
+  return bad ? `▲ The newest ${channel} is not a message: ${bad}` : `No ${channel} yet`;
+}
+
 export const kLevelSymbols: Record<Level, string> = {info: '·', good: '✓', warning: '▲', bad: '✖'};
 
 export function phaseWord(phase: string): string {
@@ -42,13 +48,16 @@ export function phaseOf(hello: Hello | null, moment: Moment): string | null {
   return task ? stateName(hello, 'TASK_STATE', task.state) : null;
 }
 
+/** us; a recorder says how it does every second, and at its end. */
+const kRecorderSilent_us = 4e6;
+
+/** A recorder that fell silent while it recorded has not ended as it should, and is told as such. */
 export function recordingWords(moment: Moment): {on: boolean; text: string} {
-  const recorders = moment
-    .slots('RECORDER_STATUS')
-    .map((slot) => slot.message)
-    .filter(Boolean);
-  const recording = recorders.find((recorder) => recorder.recording);
-  if (recording) return {on: true, text: `recording ${bytes(recording.bytes)}`};
-  if (recorders.length > 0) return {on: false, text: recorders[0].why ? 'recording ended' : 'not recording'};
-  return {on: false, text: 'not recording'};
+  const age = (slot: Slot): number => moment.now - microseconds(slot.at);
+  const slots = moment.slots('RECORDER_STATUS').filter((slot) => slot.message);
+  const recording = slots.find((slot) => slot.message.recording && age(slot) <= kRecorderSilent_us);
+  if (recording) return {on: true, text: `recording ${bytes(recording.message.bytes)}`};
+  const newest = slots.sort((a, b) => age(a) - age(b))[0]?.message;
+  if (newest?.recording) return {on: false, text: 'recorder silent'};
+  return {on: false, text: newest?.why ? 'recording ended' : 'not recording'};
 }

@@ -4,6 +4,7 @@ import {readAddress, writeAddress} from '../src/address.js';
 import {csvOf} from '../src/csv.js';
 import * as format from '../src/format.js';
 import {GoalAnchor} from '../src/goal_anchor.js';
+import {Moment, slotId} from '../src/moment.js';
 import {keyOf} from '../src/keys.js';
 import {isPlottable, leafAt, leaves} from '../src/leaves.js';
 import {parsePicture} from '../src/protocol.js';
@@ -11,7 +12,8 @@ import {joinServices} from '../src/services.js';
 import {withoutPatches} from '../src/slim.js';
 import {TagMemory} from '../src/tag_memory.js';
 import {phasesPassed, sinceOf} from '../src/task_time.js';
-import type {RobotEvent} from '../src/protocol.js';
+import type {RobotEvent, Slot} from '../src/protocol.js';
+import {noneWords, recordingWords} from '../src/words.js';
 
 const key = (name: string, more = {}) => ({key: name, ctrlKey: false, altKey: false, metaKey: false, ...more});
 const taskEvent = (number: number, at: number, state: string): RobotEvent => ({
@@ -177,4 +179,53 @@ test('the tag table remembers the last word of each tag', () => {
   );
   memory.observe({utime: 0, expected: [], missed: [], unexpected: [], read: []}, tags);
   assert.equal(memory.rows(5).length, 0);
+});
+
+test('at most 1,000 tags are remembered, those spoken of last', () => {
+  const memory = new TagMemory();
+  for (let i = 0; i < 1500; i++) {
+    memory.observe({utime: i, expected: [`tag ${i}`], missed: [], unexpected: [], read: []}, []);
+  }
+  assert.equal(memory.size, 1000);
+  assert.equal(memory.rows(5)[0]!.uid, 'tag 1499');
+});
+
+const momentOf = (now: number, ...slots: Slot[]): Moment => {
+  const known = new Map(slots.map((slot) => [slotId(slot.channel, slot.key), slot]));
+  return new Moment(
+    now,
+    (id) => known.get(id),
+    () => known.keys(),
+  );
+};
+
+test('a recorder that is silent while it recorded is told as silent', () => {
+  const recorder = (key: string, at: number, recording: boolean): Slot => ({
+    channel: 'RECORDER_STATUS',
+    key,
+    at,
+    message: {recording, bytes: 1000, why: ''},
+  });
+  assert.deepEqual(recordingWords(momentOf(4e6, recorder('a', 0, true))), {on: true, text: 'recording 1.0 KB'});
+  assert.equal(recordingWords(momentOf(4.1e6, recorder('a', 0, true))).text, 'recorder silent');
+  assert.equal(recordingWords(momentOf(9e6, recorder('a', 0, false))).text, 'not recording');
+  assert.equal(recordingWords(momentOf(9e6, recorder('a', 0, true), recorder('b', 1, false))).text, 'not recording');
+});
+
+test('a message that is none is told where there would be nothing', () => {
+  const bad: Slot = {channel: 'ROBOT_POSE', key: '', at: 1, bad: 'cut off'};
+  assert.match(noneWords(momentOf(1, bad), 'ROBOT_POSE'), /not a message: cut off/);
+  assert.equal(noneWords(momentOf(1), 'ROBOT_POSE'), 'No ROBOT_POSE yet');
+  const rows = joinServices([{channel: 'SERVICE_STATUS', key: '', at: 1, bad: 'cut off'}], [], String, 1);
+  assert.deepEqual(
+    rows.map((row) => `${row.name} ${row.level} ${row.reason}`),
+    ['SERVICE_STATUS bad not a message: cut off'],
+  );
+});
+
+test("a mark's box in an image is in px, a normal has no unit, and other lengths are m", () => {
+  const units = ['marks[0].left.x', 'marks[1].right.patch.width', 'marks[0].normal_C.x', 'pose.x'].map(
+    (path) => format.unitOfField(path).unit,
+  );
+  assert.deepEqual(units, ['px', 'px', '', 'm']);
 });

@@ -6,7 +6,10 @@ import {lose, loseNothing, fragmentsOf} from '../lib/loss.mjs';
 import {kRepository, Process, processOf} from '../lib/process.mjs';
 import {setWorld, task} from '../lib/stack.mjs';
 import {state} from '../lib/state.mjs';
-import {must} from '../lib/wait.mjs';
+import {must, pause} from '../lib/wait.mjs';
+
+/** ms: until what a reset of the world brings about has been told. */
+const kResetTold_ms = 2000;
 
 const kOrder = ['scripts/task', 'start', '--target', 'red_book'];
 
@@ -136,19 +139,25 @@ const blocked = () => ({
   },
 });
 
+function localised({stack}) {
+  return must('a pose', async () => (await state(stack.address))?.pose?.state === 'LOCALISED', 20, 20);
+}
+
 const carriedAway = () => ({
   code: 'pose_lost', subject: 'base', by: 'message',
-  async prepare({bin}) {
-    await setWorld(bin, '--reset', '1');
+  async prepare(world) {
+    await setWorld(world.bin, '--reset', '1');
     await task('reset');
+    await pause(kResetTold_ms); // this reset may lose the pose too
+    await localised(world);
   },
   async cause({bin}) {
     await setWorld(bin, '--reset', '1', 'base.start_x=3.0', 'base.start_y=3.0');
     await task('reset');
   },
-  async mend({bin, stack}) {
-    await setWorld(bin, '--reset', '1');
-    await must('a pose', async () => (await state(stack.address))?.pose?.state === 'LOCALISED', 20, 20);
+  async mend(world) {
+    await setWorld(world.bin, '--reset', '1');
+    await localised(world);
   },
 });
 

@@ -6,6 +6,7 @@ import {must, pause} from '../lib/wait.mjs';
 const kViews = ['grasp', 'drive', 'health', 'log'];
 const kPatience_s = 10;
 const kPicturesBefore = 4;
+const kSameBefore = 4;
 /** ms: long enough for what should not happen to be seen, were it to happen. */
 const kNothing_ms = 700;
 
@@ -22,16 +23,16 @@ function expect(holds, words) {
   if (!holds) throw new Error(words);
 }
 
-/** The frame that stays drawn, once it does. */
+/** The frame that stays drawn, once it does: a seek on a busy machine may leave the old one for a while. */
 async function settled(page) {
-  let frame = null;
+  const frames = [];
   await must('a picture that stays', async () => {
-    const before = frame;
     await pause(kNothing_ms);
-    frame = await frameOf(page);
-    return frame && frame === before;
+    frames.unshift(await frameOf(page));
+    const last = frames.slice(0, kSameBefore);
+    return last.length === kSameBefore && frames[0] && last.every((frame) => frame === frames[0]);
   }, kPatience_s);
-  return frame;
+  return frames[0];
 }
 
 async function press(page, key, times = 1) {

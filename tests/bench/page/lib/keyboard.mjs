@@ -31,6 +31,7 @@ export async function tabRound(page) {
   await page.evaluate(() => {
     document.activeElement?.blur();
     window.reached = new Set();
+    window.there = new Set(document.querySelectorAll('*'));
     window.noteFocus ??= document.addEventListener('focusin', (event) => window.reached.add(event.target)) ?? true;
   });
   const unmarked = new Set();
@@ -40,11 +41,11 @@ export async function tabRound(page) {
     if (now.is_page) ++rounds;
     else if (!now.is_marked) unmarked.add(now.words);
   }
-  // Of tabs and rows in a list one can be reached, and the arrows lead to the others.
+  // Of tabs and rows in a list one can be reached, and the arrows lead to the others. What has come since is left out.
   const missed = await page.evaluate(() => {
     const kinds = 'button, select, input, a[href], summary, [tabindex="0"]';
-    const usable = [...document.querySelectorAll(kinds)].filter((element) =>
-      element.tabIndex >= 0 && !element.disabled && element.checkVisibility({visibilityProperty: true}));
+    const usable = [...document.querySelectorAll(kinds)].filter((element) => window.there.has(element)
+      && element.tabIndex >= 0 && !element.disabled && element.checkVisibility({visibilityProperty: true}));
     const name = (element) => (element.getAttribute('aria-label') ?? element.textContent).trim().slice(0, 60);
     return usable.filter((element) => !window.reached.has(element)).map((element) =>
       `${element.tagName.toLowerCase()} ${name(element)}`);

@@ -1,5 +1,7 @@
 /** Geometry of what is drawn: ellipses of covariances, masks of patches, frames. */
 
+import {numberOf} from '../numbers.js';
+
 /** Half axes of 95% of a normal distribution in two dimensions, in sigmas. */
 export const kSigmas95In2D = 2.4477;
 /** The same in three dimensions. */
@@ -12,11 +14,15 @@ export interface Ellipse {
   angle: number;
 }
 
-/** The 1-sigma ellipse of a 2 x 2 covariance. What is no covariance gives an ellipse of no size. */
-export function ellipseOf(xx: number, xy: number, yy: number): Ellipse {
+/**
+ * The 1-sigma ellipse of a 2 x 2 covariance. What is no covariance gives an ellipse of no size, what is no number (null
+ * in a message) one of NaN.
+ */
+export function ellipseOf(...covariance: [xx: number | null, xy: number | null, yy: number | null]): Ellipse {
+  const [xx, xy, yy] = covariance.map(numberOf) as [number, number, number];
   const middle = (xx + yy) / 2;
   const spread = Math.hypot((xx - yy) / 2, xy);
-  const root = (value: number): number => (value > 0 ? Math.sqrt(value) : 0);
+  const root = (value: number): number => (value <= 0 ? 0 : Math.sqrt(value));
   return {a: root(middle + spread), b: root(middle - spread), angle: 0.5 * Math.atan2(2 * xy, xx - yy)};
 }
 

@@ -1,5 +1,6 @@
 import {svg, nothing, type SVGTemplateResult} from 'lit';
 import type {BusMessage, MarkScene, PictureHeader} from '../protocol.js';
+import {areFinite, kNotANumber} from '../numbers.js';
 import {labelLevels} from './labels.js';
 import {maskRuns, pathOfRuns} from './geometry.js';
 
@@ -24,12 +25,15 @@ interface Overlay {
 export function drawOverlay(overlay: Overlay): SVGTemplateResult {
   const {header, side} = overlay;
   const seen = ((header.detection?.marks ?? []) as BusMessage[]).filter((mark) => mark[side]?.seen);
+  const placed = seen.filter(({[side]: view}) => areFinite([view.u, view.v, view.x, view.y, view.width, view.height]));
+  const unplaced = seen.filter((mark) => !placed.includes(mark));
   const matched = (header.matches?.marks ?? []) as BusMessage[];
-  const levels = labelLevels(seen.map((mark) => ({x: mark[side].x, y: mark[side].y, letters: mark.name.length})));
+  const levels = labelLevels(placed.map((mark) => ({x: mark[side].x, y: mark[side].y, letters: mark.name.length})));
   return svg`
     ${seen.map((mark) => drawMask(mark, overlay))}
     ${matched.map((mark) => drawMatches(mark, overlay))}
-    ${seen.map((mark, index) => drawMark(mark, levels[index]!, overlay))}
+    ${placed.map((mark, index) => drawMark(mark, levels[index]!, overlay))}
+    ${unplaced.map((mark, index) => svg`<g class="mark"><text x="4" y=${(index + 1) * kLabelHeight}>${mark.name}: ${kNotANumber}</text></g>`)}
   `;
 }
 
@@ -72,6 +76,7 @@ function drawMatches(mark: BusMessage, overlay: Overlay): SVGTemplateResult[] {
   const chosen = dimmed(mark.name, overlay);
   return us.map((u, index) => {
     const v = vs[index]!;
+    if (!areFinite([u, v])) return svg``;
     const residual: number = mark.residual?.[index] ?? 0;
     const worst = Math.min(1, Math.abs(residual));
     const tail = ((other_us[index] ?? u) - u) / kTailShortened;

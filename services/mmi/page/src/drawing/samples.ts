@@ -4,6 +4,19 @@ export interface Samples {
   at: number[];
   values: (number | null)[];
   generation: number;
+  /** Of the history, what has been taken in until now. */
+  number: number;
+}
+
+/** Puts a sample at its time; one of the same time is replaced. */
+export function addSample(samples: Samples, at: number, value: number | null): void {
+  const index = nearestIndex(samples.at, at);
+  if (index >= 0 && samples.at[index] === at) {
+    samples.values[index] = value;
+    return;
+  }
+  samples.at.splice(index + 1, 0, at);
+  samples.values.splice(index + 1, 0, value);
 }
 
 /** One axis of time for all curves, as uPlot wants them; undefined is where a curve has no sample of its own. */

@@ -7,12 +7,9 @@ import {
   GridHelper,
   Group,
   HemisphereLight,
-  LineBasicMaterial,
   LineSegments,
   Matrix4,
   Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
   PerspectiveCamera,
   Quaternion,
   Raycaster,
@@ -22,11 +19,14 @@ import {
   Vector3,
   WebGLRenderer,
   Color,
+  type Material,
   type Object3D,
 } from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import type {ArmPoints, Places, Point, Scene as RobotScene} from '../protocol.js';
+import {areFinite, finitePoint} from '../numbers.js';
 import {axesOf, kSigmas95In3D} from './geometry.js';
+import {Materials} from './materials_3d.js';
 
 export interface Shown3d {
   scene: RobotScene | null;
@@ -49,6 +49,7 @@ export class Scene3d {
   private readonly controls: OrbitControls;
   private readonly still = new Group();
   private readonly moving = new Group();
+  private readonly materials = new Materials();
   private still_key = '';
   private moving_key = '';
   private asked = false;
@@ -77,7 +78,10 @@ export class Scene3d {
 
   show(shown: Shown3d): void {
     const still_key = JSON.stringify([shown.scene?.cameras, shown.scene?.base, shown.colours]);
-    const moving_key = JSON.stringify([shown.arm, shown.places, shown.selected, still_key.length, shown.colours]);
+    // Without the times, which pass while nothing moves.
+    const {arm, places} = shown;
+    const moving = [arm?.measured, arm?.commanded, places?.marks, places?.grip_goal_R];
+    const moving_key = JSON.stringify([moving, shown.scene?.marks, shown.selected, shown.colours]);
     if (still_key !== this.still_key) {
       this.still_key = still_key;
       empty(this.still);
@@ -102,6 +106,7 @@ export class Scene3d {
     this.disposed = true;
     empty(this.still);
     empty(this.moving);
+    this.materials.dispose();
     this.controls.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
@@ -125,10 +130,7 @@ export class Scene3d {
     if (base) {
       const height = 0.22;
       const box = new BoxGeometry(base.front + base.rear, 2 * base.half_width, height);
-      const edges = new LineSegments(
-        new EdgesGeometry(box),
-        new LineBasicMaterial({color: new Color(shown.colours.muted)}),
-      );
+      const edges = new LineSegments(new EdgesGeometry(box), this.materials.line(shown.colours.muted));
       edges.position.set((base.front - base.rear) / 2, 0, height / 2);
       this.still.add(edges);
     }
@@ -153,22 +155,19 @@ export class Scene3d {
         corner(0, cameras.height_px),
       ];
       const ends = corners.flatMap((end, index) => [origin, end, end, corners[(index + 1) % 4]!]);
-      this.still.add(lines(ends, shown.colours.muted, 0.55));
+      this.still.add(lines(ends, this.materials.line(shown.colours.muted, 0.55)));
     }
   }
 
   private buildMoving(shown: Shown3d): void {
-    if (shown.arm?.commanded) this.addArm(shown.arm.commanded, shown.colours.commanded, 0.35, 0.009);
-    if (shown.arm?.measured) this.addArm(shown.arm.measured, shown.colours.arm, 1, 0.011);
+    if (shown.arm?.commanded?.every(areFinite)) this.addArm(shown.arm.commanded, shown.colours.commanded, 0.35, 0.009);
+    if (shown.arm?.measured?.every(areFinite)) this.addArm(shown.arm.measured, shown.colours.arm, 1, 0.011);
     for (const mark of shown.places?.marks ?? []) {
-      if (!mark.p_R) continue;
+      if (!mark.p_R || !areFinite(mark.p_R)) continue;
       const known = shown.scene?.marks.find((row) => row.name === mark.name);
       const selected = shown.selected === mark.name;
       const size = known?.size ?? 0.02;
-      const square = new Mesh(
-        new BoxGeometry(size, size, 0.002),
-        new MeshStandardMaterial({color: new Color(known?.colour ?? '#888888')}),
-      );
+      const square = new Mesh(new BoxGeometry(size, size, 0.002), this.materials.solid(known?.colour ?? '#888888'));
       square.position.set(...mark.p_R);
       if (mark.normal_R && Math.hypot(...mark.normal_R) > 0.5) {
         square.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...mark.normal_R).normalize());
@@ -176,19 +175,15 @@ export class Scene3d {
       square.userData['name'] = mark.name;
       if (selected) square.scale.setScalar(1.6);
       this.moving.add(square);
-      if (mark.covariance_R) this.addEllipsoid(mark.p_R, mark.covariance_R, known?.colour ?? '#888888');
+      if (mark.covariance_R && areFinite(mark.covariance_R)) {
+        this.addEllipsoid(mark.p_R, mark.covariance_R, known?.colour ?? '#888888');
+      }
     }
-    this.addGoal(shown.places?.grip_goal_R ?? null, shown.colours.commanded);
-    this.addGoal(shown.places?.hand_goal_R ?? null, shown.colours.muted);
+    this.addGoal(finitePoint(shown.places?.grip_goal_R), shown.colours.commanded);
   }
 
   private addArm(points: Point[], colour: string, opacity: number, radius: number): void {
-    const material = new MeshStandardMaterial({
-      color: new Color(colour),
-      transparent: opacity < 1,
-      opacity,
-      roughness: 0.6,
-    });
+    const material = this.materials.solid(colour, opacity);
     points.forEach((point, index) => {
       const joint = new Mesh(new SphereGeometry(radius * 1.35, 16, 12), material);
       joint.position.set(...point);
@@ -208,13 +203,7 @@ export class Scene3d {
     const {values, vectors} = axesOf(covariance);
     const axis = (k: number): Vector3 => new Vector3(vectors[0]![k], vectors[1]![k], vectors[2]![k]);
     const [x, y] = [axis(0), axis(1)];
-    const material = new MeshBasicMaterial({
-      color: new Color(colour),
-      transparent: true,
-      opacity: 0.3,
-      depthWrite: false,
-    });
-    const ellipsoid = new Mesh(new SphereGeometry(1, 20, 14), material);
+    const ellipsoid = new Mesh(new SphereGeometry(1, 20, 14), this.materials.veil(colour));
     ellipsoid.quaternion.copy(
       new Quaternion().setFromRotationMatrix(new Matrix4().makeBasis(x, y, x.clone().cross(y))),
     );
@@ -235,7 +224,7 @@ export class Scene3d {
       const arm = new Vector3(...direction).multiplyScalar(0.03);
       ends.push(new Vector3(...point).sub(arm), new Vector3(...point).add(arm));
     }
-    this.moving.add(lines(ends, colour, 1));
+    this.moving.add(lines(ends, this.materials.line(colour)));
   }
 
   private pick(event: MouseEvent, select: (name: string) => void): void {
@@ -251,19 +240,12 @@ export class Scene3d {
   }
 }
 
-function lines(ends: Vector3[], colour: string, opacity: number): LineSegments {
-  return new LineSegments(
-    new BufferGeometry().setFromPoints(ends),
-    new LineBasicMaterial({color: new Color(colour), transparent: opacity < 1, opacity}),
-  );
+function lines(ends: Vector3[], material: Material): LineSegments {
+  return new LineSegments(new BufferGeometry().setFromPoints(ends), material);
 }
 
 /** Takes all out of a group, and gives the graphics card's memory back. */
 function empty(group: Group): void {
-  group.traverse((object: Object3D) => {
-    const mesh = object as Mesh;
-    mesh.geometry?.dispose();
-    for (const material of [mesh.material].flat()) material?.dispose();
-  });
+  group.traverse((object: Object3D) => (object as Mesh).geometry?.dispose());
   group.clear();
 }

@@ -2,6 +2,7 @@ import {html, svg, nothing, type SVGTemplateResult, type TemplateResult} from 'l
 import {ellipseOf, kSigmas95In2D} from '../drawing/geometry.js';
 import type {Covariance6, Point} from '../protocol.js';
 import {millimetres} from '../format.js';
+import {areFinite, finitePoint} from '../numbers.js';
 import {store} from '../session.js';
 import {StoreElement} from './store_element.js';
 
@@ -74,16 +75,15 @@ export class ArmSides extends StoreElement {
       ${this.renderGrid(plane, width, height)} ${this.renderCameras(at)}
       ${this.renderArm(arm?.commanded ?? null, 'commanded', at)}
       ${this.renderArm(arm?.measured ?? null, 'measured', at)}
-      ${(places?.marks ?? []).map((mark) => this.renderMark(mark.name, mark.p_R, mark.covariance_R, plane, at))}
-      ${this.renderGoal('grip goal', places?.grip_goal_R ?? null, at)}
-      ${this.renderGoal('hand goal', places?.hand_goal_R ?? null, at)}
+      ${(places?.marks ?? []).map((mark) => this.renderMark(mark.name, finitePoint(mark.p_R), mark.covariance_R, plane, at))}
+      ${this.renderGoal('grip goal', finitePoint(places?.grip_goal_R), at)}
       <text class="plane-name" x="5" y="13">${plane.name}</text>
     </svg>`;
   }
 
   /** As far ahead as the furthest mark, within reason. */
   private windowOf(plane: Plane): Plane['window'] {
-    const furthest = Math.max(...(store.moment.part('places')?.marks ?? []).map((mark) => mark.p_R?.[0] ?? 0));
+    const furthest = Math.max(...(store.moment.part('places')?.marks ?? []).map((mark) => finitePoint(mark.p_R)?.[0] ?? 0));
     return {
       ...plane.window,
       right: Math.min(kFurthest, Math.max(plane.window.right, Math.ceil(furthest * 10 + 1) / 10)),
@@ -123,7 +123,7 @@ export class ArmSides extends StoreElement {
     which: string,
     at: (point: Point) => [number, number],
   ): SVGTemplateResult | typeof nothing {
-    if (!points) return nothing;
+    if (!points?.every(areFinite)) return nothing;
     return svg`<g class="arm is-${which}" data-arm=${which}>
       <polyline points=${points.map((point) => at(point).join()).join(' ')}></polyline>
       ${points.map((point, index) => {
@@ -143,7 +143,7 @@ export class ArmSides extends StoreElement {
     if (!point) return nothing;
     const [u, v] = at(point);
     const colour = store.hello?.scene.marks.find((mark) => mark.name === name)?.colour ?? '#888888';
-    const ellipse = covariance ? ellipseIn(plane, covariance) : null;
+    const ellipse = covariance && areFinite(covariance) ? ellipseIn(plane, covariance) : null;
     return svg`<g class="place ${store.selected === name ? 'is-selected' : ''}" data-place=${name} @click=${() => store.select(name)}>
       ${
         ellipse

@@ -69,6 +69,7 @@ export class ChannelTable extends StoreElement {
     const writers = Array.isArray(figure?.writers) ? figure.writers.length : figure?.writers;
     const lost = figure?.lost ?? null;
     const undecodable = figure?.undecodable ?? 0;
+    const refused = figure?.refused ?? 0;
     return html`<tr class="${figure && !figure.stale ? '' : 'is-stale'} ${name === this.chosen ? 'is-selected' : ''}">
       <td>
         <button
@@ -80,6 +81,7 @@ export class ChannelTable extends StoreElement {
           ${name}
         </button>
         ${row?.truth ? html`<span class="badge">truth</span>` : ''}
+        ${refused > 0 ? html`<div class="refused">▲ ${refused} refused: ${figure?.refusal ?? ''}</div>` : ''}
       </td>
       <td class="number">${figure ? hertz(figure.hz) : 'silent'}</td>
       <td class="number">${figure?.stale ? '▲ ' : ''}${span(figure?.age_s)}</td>

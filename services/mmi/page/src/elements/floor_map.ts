@@ -12,6 +12,7 @@ import {
 } from '../drawing/floor_map.js';
 import {GoalAnchor} from '../goal_anchor.js';
 import {degrees, metres} from '../format.js';
+import {areFinite, finitePose, kNotANumber} from '../numbers.js';
 import type {SonarEchoMessage} from '../protocol.js';
 import {store} from '../session.js';
 import {StoreElement} from './store_element.js';
@@ -20,6 +21,7 @@ import {StoreElement} from './store_element.js';
 const kTrail_us = 60e6;
 /** m, around the tags: the robot's outline and some floor. */
 const kMargin = 0.35;
+const kPanStep_px = 40;
 const kZoomStep = 1.3;
 
 type PoseName = 'fused' | 'raw' | 'compensated' | 'truth' | 'goal';
@@ -44,7 +46,8 @@ export class FloorMap extends StoreElement {
 
   protected override render(): TemplateResult {
     const tags = store.hello?.scene.tags ?? [];
-    const robot = (store.moment.message('ROBOT_POSE')?.pose ?? null) as Pose | null;
+    const message = store.moment.message('ROBOT_POSE');
+    const robot = finitePose(message?.pose);
     const fit = scaleToFit(
       tags.length > 0 ? tags.map((tag) => tag.place) : robot ? [[robot.x, robot.y]] : [],
       kMargin,
@@ -62,6 +65,10 @@ export class FloorMap extends StoreElement {
         @pointerdown=${this.onDown}
         @pointermove=${(event: PointerEvent) => this.onMove(event, scale)}
         @pointerup=${this.onUp}
+        @keydown=${(event: KeyboardEvent) => this.onKey(event, scale)}
+        tabindex="0"
+        role="group"
+        aria-label="Floor, arrows move it, + and - enlarge it"
       >
         <svg
           viewBox="0 0 ${this.size[0]} ${this.size[1]}"
@@ -82,6 +89,7 @@ export class FloorMap extends StoreElement {
       </div>
       <div class="image-foot">
         <span class="legend">
+          ${message?.pose && !robot ? html`<span>▲ pose ${kNotANumber}</span>` : nothing}
           <span>● read</span><span>✕ missed</span><span>○ expected</span><span>◆ not expected</span
           ><span>· other tag</span>
         </span>
@@ -119,7 +127,7 @@ export class FloorMap extends StoreElement {
     const scan = store.moment.message('SONAR_SCAN');
     const echoes = (scan?.echoes ?? []) as SonarEchoMessage[];
     return svg`<g class="sonars">${echoes
-      .filter((echo) => echo.heard)
+      .filter((echo) => echo.heard && finitePose(echo.pose) && Number.isFinite(echo.range))
       .map(
         (echo, index) =>
           svg`<path d=${fanPath(scale, robot, echo, scan.beam_width)}><title>sonar ${index}: ${metres(echo.range, 2)}</title></path>`,
@@ -141,22 +149,21 @@ export class FloorMap extends StoreElement {
 
   private renderPoses(scale: FloorScale, robot: Pose | null): SVGTemplateResult {
     const message = store.moment.message('ROBOT_POSE');
-    const truth = (store.moment.message('SIM_BASE_TRUTH')?.pose ?? null) as Pose | null;
+    const truth = finitePose(store.moment.message('SIM_BASE_TRUTH')?.pose);
     const goal = this.anchor.goal(store.moment.message('BASE_GOAL'), robot);
     const paper = message?.paper;
     const heading: number = paper?.direction_known ? paper.direction : (robot?.heading ?? 0);
+    const raw = finitePose(paper?.measured_known ? {x: paper.measured_x, y: paper.measured_y, heading} : null);
+    const compensated = finitePose(
+      paper?.measured_known ? {x: paper.compensated_x, y: paper.compensated_y, heading} : null,
+    );
     return svg`
       ${truth ? this.renderOutlined(scale, 'truth', truth) : nothing}
       ${goal ? this.renderOutlined(scale, 'goal', goal) : nothing}
       ${robot ? this.renderOutlined(scale, 'fused', robot) : nothing}
       ${robot && message.covariance ? this.renderEllipse(scale, robot, message.covariance) : nothing}
-      ${
-        paper?.measured_known
-          ? svg`
-        ${this.renderPoint(scale, 'raw', {x: paper.measured_x, y: paper.measured_y, heading})}
-        ${this.renderPoint(scale, 'compensated', {x: paper.compensated_x, y: paper.compensated_y, heading})}`
-          : nothing
-      }`;
+      ${raw ? this.renderPoint(scale, 'raw', raw) : nothing}
+      ${compensated ? this.renderPoint(scale, 'compensated', compensated) : nothing}`;
   }
 
   private renderOutlined(scale: FloorScale, name: PoseName, pose: Pose): SVGTemplateResult {
@@ -190,8 +197,9 @@ export class FloorMap extends StoreElement {
     scale: FloorScale,
     pose: Pose,
     covariance: {xx: number; xy: number; yy: number},
-  ): SVGTemplateResult {
+  ): SVGTemplateResult | typeof nothing {
     const ellipse = ellipseOf(covariance.xx, covariance.xy, covariance.yy);
+    if (!areFinite([ellipse.a, ellipse.b])) return nothing;
     const [x, y] = scale.at(pose.x, pose.y);
     const pixels = kSigmas95In2D * scale.pixels_per_metre;
     return svg`<ellipse class="pose-ellipse" rx=${ellipse.a * pixels} ry=${ellipse.b * pixels}
@@ -227,6 +235,17 @@ export class FloorMap extends StoreElement {
     event.preventDefault();
     this.zoomBy(event.deltaY < 0 ? kZoomStep : 1 / kZoomStep);
   };
+
+  private onKey(event: KeyboardEvent, scale: FloorScale): void {
+    const by = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
+    const step = kPanStep_px / scale.pixels_per_metre;
+    if (by) this.shift = [this.shift[0] + step * by[0]!, this.shift[1] + step * by[1]!];
+    else if (event.key === '+') this.zoomBy(kZoomStep);
+    else if (event.key === '-') this.zoomBy(1 / kZoomStep);
+    else return;
+    event.preventDefault();
+    this.requestUpdate();
+  }
 
   private readonly onDown = (event: PointerEvent): void => {
     this.drag = {x: event.clientX, y: event.clientY};

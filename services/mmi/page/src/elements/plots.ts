@@ -8,7 +8,7 @@ import {lookAt} from '../look.js';
 import type {Slot} from '../protocol.js';
 import {store} from '../session.js';
 import {goTo, range, shownTime} from '../transport.js';
-import {joinCurves, nearestIndex, type Samples} from '../drawing/samples.js';
+import {addSample, joinCurves, nearestIndex, type Samples} from '../drawing/samples.js';
 import {StoreElement} from './store_element.js';
 
 const kColours = [
@@ -22,6 +22,9 @@ const kColours = [
   '--curve-8',
 ];
 const kAxisUnit = 1e6;
+const kZoomStep = 2;
+/** us; less than a picture's time shows no curve. */
+const kShortest_us = 20000;
 
 /** Curves over the last minutes. One cursor goes through all views; a second one stays where it is set. */
 export class Plots extends StoreElement {
@@ -50,7 +53,9 @@ export class Plots extends StoreElement {
     const samples = this.samples();
     return html`
       <div class="plot-tools" role="group" aria-label="Plots">
-        <button @click=${this.wholeTime} ?disabled=${this.zoom === null}>whole time</button>
+        <button @click=${() => this.zoomBy(1 / kZoomStep)} aria-label="Less time" title="Less time">+</button>
+        <button @click=${() => this.zoomBy(kZoomStep)} aria-label="More time" title="More time">−</button>
+        <button class="whole" @click=${this.wholeTime} ?disabled=${this.zoom === null}>whole time</button>
         <button @click=${this.setReference} title="Differences are taken from here">set second cursor</button>
         <button @click=${() => store.setReference(null)} ?disabled=${store.reference === null}>clear it</button>
         <button @click=${this.saveCsv}>CSV</button><button @click=${this.savePng}>PNG</button>
@@ -109,8 +114,17 @@ export class Plots extends StoreElement {
 
   private window(): {min: number; max: number} {
     if (this.zoom) return this.zoom;
+    if (store.is_log) return this.windowOfLog();
     const begin = store.history.begin ?? range().begin;
     return {min: begin, max: Math.max(store.now, begin + 1e6)};
+  }
+
+  /** What has been shown of it. */
+  private windowOfLog(): {min: number; max: number} {
+    const at = Number.isFinite(shownTime()) ? shownTime() : range().begin;
+    const known = [...this.read.values()].filter((samples) => samples.at.length > 0);
+    const min = Math.min(at, ...known.map((samples) => samples.at[0]!));
+    return {min, max: Math.max(at, min + 1e6, ...known.map((samples) => samples.at[samples.at.length - 1]!))};
   }
 
   /** What each curve has, read from the history once, then only what is new. */
@@ -120,13 +134,16 @@ export class Plots extends StoreElement {
       const known = this.read.get(name);
       const begin = store.history.begin ?? Infinity;
       const fresh =
-        known && known.generation === store.generation ? known : {at: [], values: [], generation: store.generation};
+        known && known.generation === store.generation
+          ? known
+          : {at: [], values: [], generation: store.generation, number: 0};
       this.read.set(name, fresh);
-      const last = fresh.at[fresh.at.length - 1] ?? -Infinity;
-      for (const {at, value} of store.history.between(idOf(curve), last + 1, Infinity)) {
-        fresh.at.push(at);
-        fresh.values.push(valueOf(curve, value as Slot));
+      const read = fresh.number;
+      for (const {at, value, number} of store.history.after(idOf(curve), read)) {
+        addSample(fresh, at, valueOf(curve, value as Slot));
+        fresh.number = Math.max(fresh.number, number);
       }
+      if (store.is_log) return fresh;
       const old = fresh.at.findIndex((at) => at >= begin);
       if (old > 1000) {
         fresh.at.splice(0, old);
@@ -249,6 +266,15 @@ export class Plots extends StoreElement {
         <button class="row-button" aria-label="Remove ${curve.path}" @click=${() => addCurve(curve)}>✕</button>
       </td>
     </tr>`;
+  }
+
+  /** Around the time of the cursor. */
+  private zoomBy(factor: number): void {
+    const {min, max} = this.window();
+    const at = Math.min(Math.max(this.cursorTime(), min), max);
+    const scale = Math.max(factor, kShortest_us / (max - min));
+    this.zoom = {min: at - (at - min) * scale, max: at + (max - at) * scale};
+    this.requestUpdate();
   }
 
   private readonly wholeTime = (): void => {

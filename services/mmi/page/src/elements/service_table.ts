@@ -52,7 +52,7 @@ export class ServiceTable extends StoreElement {
       <th scope="row" title=${row.key}>
         <span class="level is-${row.level}">${kLevelSymbols[row.level]}</span> ${row.name}
       </th>
-      <td class="says" title=${why}>${row.state ?? 'silent'}${why ? html`<span class="muted"> ${why}</span>` : ''}</td>
+      <td class="says" title=${why}>${row.state ?? (row.bad ? 'garbled' : 'silent')}${why ? html`<span class="muted"> ${why}</span>` : ''}</td>
       <td class="number">
         ${row.at === null ? '–' : span(Math.max(0, (store.moment.now - microseconds(row.at)) / 1e6))}
       </td>

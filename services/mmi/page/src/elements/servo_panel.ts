@@ -1,8 +1,9 @@
 import {html, nothing, type TemplateResult} from 'lit';
 import {ellipseOf, kSigmas95In2D} from '../drawing/geometry.js';
 import {millimetres, span} from '../format.js';
+import {numberOf, words} from '../numbers.js';
 import {store} from '../session.js';
-import {kLevelSymbols, stateName} from '../words.js';
+import {kLevelSymbols, noneWords, stateName} from '../words.js';
 import type {Level} from '../protocol.js';
 import {StoreElement} from './store_element.js';
 
@@ -34,26 +35,28 @@ export class ServoPanel extends StoreElement {
 
   protected override render(): TemplateResult {
     const servo = store.moment.message('SERVO_STATUS');
-    if (!servo) return html`<p class="empty">No SERVO_STATUS yet</p>`;
+    if (!servo) return html`<p class="empty">${noneWords(store.moment, 'SERVO_STATUS')}</p>`;
     const state = stateName(store.hello, 'SERVO_STATUS', servo.state);
     const known = ['SERVO', 'CONVERGED'].includes(state);
     const error = servo.error_C ?? {};
-    const size = Math.hypot(error.x, error.y, error.z);
+    const size = Math.hypot(numberOf(error.x), numberOf(error.y), numberOf(error.z));
+    const shown = (metres: unknown, sign = ''): string =>
+      known ? words(metres, (value) => `${sign}${millimetres(value)}`) : '–';
     const level = kLevels[state] ?? 'info';
     return html`
       <p class="big">
         <span class="level is-${level}" aria-hidden="true">${kLevelSymbols[level]}</span> ${state}
-        <b>${known ? millimetres(size) : '–'}</b>
+        <b>${shown(size)}</b>
       </p>
       <dl class="numbers">
         <dt>right</dt>
-        <dd>${known ? millimetres(error.x) : '–'}</dd>
+        <dd>${shown(error.x)}</dd>
         <dt>ahead</dt>
-        <dd>${known ? millimetres(error.y) : '–'}</dd>
+        <dd>${shown(error.y)}</dd>
         <dt>up</dt>
-        <dd>${known ? millimetres(error.z) : '–'}</dd>
+        <dd>${shown(error.z)}</dd>
         <dt>95%</dt>
-        <dd>${known ? `± ${millimetres(kSigmas95In2D * largest(servo.covariance))}` : '–'}</dd>
+        <dd>${shown(kSigmas95In2D * largest(servo.covariance), '± ')}</dd>
       </dl>
       <p class="reason">${servo.reason || this.goalWords()}</p>
       ${this.renderLatency()}
@@ -83,5 +86,5 @@ customElements.define('mmi-servo', ServoPanel);
 
 function largest(covariance: {xx: number; xy: number; yy: number; zz: number} | undefined): number {
   if (!covariance) return NaN;
-  return Math.max(ellipseOf(covariance.xx, covariance.xy, covariance.yy).a, Math.sqrt(Math.max(0, covariance.zz)));
+  return Math.max(ellipseOf(covariance.xx, covariance.xy, covariance.yy).a, Math.sqrt(Math.max(0, numberOf(covariance.zz))));
 }

@@ -10,8 +10,6 @@ import {StoreElement} from './store_element.js';
 /** Phases in which the robot has given its task up: no trouble of its own, and not well either. */
 const kHalted = new Set(['REFUSED', 'FAILED', 'STOPPED']);
 const kSymbols = {good: '✓', halted: '▲', unheard: '…'};
-/** s; in a view without pictures the last one drawn says nothing of the camera. */
-const kDrawnLately_s = 2;
 /** px: what Stop and its devices take of the page's width, and a letter of 28 px on average. */
 const kBesideStop_px = 400;
 const kLetter_px = 15.5;
@@ -136,12 +134,12 @@ export class StatusLine extends StoreElement {
     return html`<span class="fact">${words}</span>`;
   }
 
-  /** s; of what is drawn, or, where none is, of the newest on the bus. */
+  /** s; of what is drawn, or, in a view without images and in the past, of the newest on the bus. */
   private pictureAge(): number | null {
-    const header = store.paused_at === null ? store.picture?.header : undefined;
-    const drawn = header ? (store.moment_live.now - microseconds(header.at)) / 1e6 : null;
-    const heard = store.moment_live.part('figures')?.['STEREO_FRAME']?.age_s ?? null;
-    return drawn !== null && (drawn < kDrawnLately_s || heard === null) ? drawn : heard;
+    if (store.paused_at === null && document.querySelector('mmi-image') !== null) {
+      return store.picture ? (store.moment_live.now - microseconds(store.picture.header.at)) / 1e6 : null;
+    }
+    return store.moment_live.part('figures')?.['STEREO_FRAME']?.age_s ?? null;
   }
 
   private renderRecording(): TemplateResult {

@@ -1,9 +1,12 @@
 import {html, type TemplateResult} from 'lit';
 import type {StopDevice, StopWord} from '../protocol.js';
+import type {StopFate} from '../connection.js';
 import {connection, store} from '../session.js';
 import {StoreElement} from './store_element.js';
 
 const kSymbols: Record<StopWord, string> = {idle: '○', requested: '…', acknowledged: '✓', silent: '✖'};
+
+const kFates: Record<StopFate, string> = {waiting: 'not sent yet', sent: 'sent, no answer yet', failed: 'NO ANSWER'};
 
 /** Stop, and what each device answered. */
 export class StopPanel extends StoreElement {
@@ -15,19 +18,31 @@ export class StopPanel extends StoreElement {
 
   protected override render(): TemplateResult {
     const now = this.state();
+    if (connection.stopFate === 'failed') return this.renderFailed();
     return html`
       <ul class="stop-devices" aria-label="Stop devices">
         ${this.devices().map((device) => this.renderDevice(device))}
       </ul>
-      <button class="stop" data-stop=${now} @click=${this.stop} aria-keyshortcuts="Escape S">
-        <span class="stop-word">STOP</span><span class="stop-key">${this.words(now)}</span>
-      </button>
+      ${this.renderButton(now)}
     `;
+  }
+
+  private renderFailed(): TemplateResult {
+    return html`
+      <p class="stop-failed" role="alert">Stop had no answer: scripts/task stop, or its power switch</p>
+      ${this.renderButton('idle')}
+    `;
+  }
+
+  private renderButton(now: StopWord): TemplateResult {
+    return html`<button class="stop" data-stop=${now} @click=${this.stop} aria-keyshortcuts="Escape S">
+      <span class="stop-word">STOP</span><span class="stop-key">${this.words(now)}</span>
+    </button>`;
   }
 
   private state(): StopWord {
     const said = store.life === 'open' ? (store.moment_live.part('stop')?.state ?? 'idle') : 'idle';
-    return connection.stopIsWaiting ? 'requested' : said;
+    return connection.stopFate === 'waiting' || connection.stopFate === 'sent' ? 'requested' : said;
   }
 
   private devices(): StopDevice[] {
@@ -37,7 +52,7 @@ export class StopPanel extends StoreElement {
   }
 
   private words(state: StopWord): string {
-    if (connection.stopIsWaiting) return 'not sent yet';
+    if (connection.stopFate !== null) return kFates[connection.stopFate];
     return state === 'idle' ? 'Esc or S' : state;
   }
 

@@ -1,4 +1,5 @@
 import {html, svg, nothing, type TemplateResult} from 'lit';
+import {live as held} from 'lit/directives/live.js';
 import {icon} from '../drawing/icons.js';
 import {clock, microseconds, span} from '../format.js';
 import type {RobotEvent} from '../protocol.js';
@@ -13,17 +14,27 @@ import {
   setSpeed,
   showNewest,
   shownTime,
+  soughtTime,
   step,
 } from '../transport.js';
 import {kLevelSymbols} from '../words.js';
 import {StoreElement} from './store_element.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
+/** us, what an arrow key moves the time by, and with Shift. */
+const kKeyStep_us = 1e6;
+const kLongKeyStep_us = 10e6;
+/** Places of the thumb. */
+const kThumbSteps = 1e6;
 /** Ticks that fall on the same thousandth of the line are one. */
 const kTickPlaces = 1000;
 
 /** Time: of a log from end to end, or of what the page remembers; events are ticks on it. */
 export class TimeBar extends StoreElement {
+  /** us, where the thumb is while it is dragged. */
+  private dragged: number | null = null;
+  private ticks: {of: RobotEvent[]; begin: number; end: number; places: [number, RobotEvent][]} | null = null;
+
   constructor() {
     super();
     this.pace_ms = 100;
@@ -33,6 +44,7 @@ export class TimeBar extends StoreElement {
   protected override render(): TemplateResult {
     const {begin, end} = range();
     const at = shownTime();
+    const thumb = this.dragged ?? soughtTime() ?? at;
     const log = store.is_log;
     const live = !log && store.paused_at === null;
     const words = log
@@ -80,12 +92,14 @@ export class TimeBar extends StoreElement {
         <input
           type="range"
           min="0"
-          max="1000000"
+          max=${kThumbSteps}
           step="1"
-          .value=${String(position(at, begin, end) * 1e6)}
+          .value=${held(String(Math.round(position(thumb, begin, end) * kThumbSteps)))}
           aria-label="Time"
           aria-valuetext="${clock(at)} UTC, ${words}"
           @input=${this.onSlide}
+          @change=${this.onSlideEnd}
+          @keydown=${this.onKey}
         />
       </div>
       <output class="time ${live || log ? '' : 'is-past'}"
@@ -95,21 +109,15 @@ export class TimeBar extends StoreElement {
   }
 
   private renderTicks(events: RobotEvent[], begin: number, end: number, at: number): TemplateResult {
-    const places = new Map<number, RobotEvent>();
-    const rank = {info: 0, good: 1, warning: 2, bad: 3};
-    for (const event of events) {
-      const place = position(microseconds(event.at), begin, end);
-      if (place < 0 || place > 1) continue;
-      const key = Math.round(place * kTickPlaces);
-      const there = places.get(key);
-      if (!there || rank[event.level] > rank[there.level]) places.set(key, event);
+    if (this.ticks?.of !== events || this.ticks.begin !== begin || this.ticks.end !== end) {
+      this.ticks = {of: events, begin, end, places: ticksOf(events, begin, end)};
     }
     const marker = (value: number | null, name: string): unknown =>
       value === null || !Number.isFinite(value)
         ? nothing
         : svg`<line class=${name} x1=${position(value, begin, end) * kTickPlaces} x2=${position(value, begin, end) * kTickPlaces} y1="0" y2="24"></line>`;
     return html`<svg class="ticks" viewBox="0 0 ${kTickPlaces} 24" preserveAspectRatio="none" aria-hidden="true">
-      ${[...places].map(
+      ${this.ticks.places.map(
         ([
           x,
           event,
@@ -124,10 +132,38 @@ export class TimeBar extends StoreElement {
 
   private readonly onSlide = (event: Event): void => {
     const {begin, end} = range();
-    goTo(begin + (Number((event.target as HTMLInputElement).value) / 1e6) * (end - begin));
+    this.dragged = begin + (Number((event.target as HTMLInputElement).value) / kThumbSteps) * (end - begin);
+    goTo(this.dragged);
+  };
+
+  private readonly onSlideEnd = (): void => {
+    this.dragged = null;
+    this.requestUpdate();
+  };
+
+  private readonly onKey = (event: KeyboardEvent): void => {
+    const by = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key];
+    if (by === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    goTo((soughtTime() ?? shownTime()) + by * (event.shiftKey ? kLongKeyStep_us : kKeyStep_us));
+    this.requestUpdate();
   };
 }
 customElements.define('mmi-time', TimeBar);
+
+/** The gravest event of each place of the line. */
+function ticksOf(events: RobotEvent[], begin: number, end: number): [number, RobotEvent][] {
+  const places = new Map<number, RobotEvent>();
+  const rank = {info: 0, good: 1, warning: 2, bad: 3};
+  for (const event of events) {
+    const place = position(microseconds(event.at), begin, end);
+    if (place < 0 || place > 1) continue;
+    const key = Math.round(place * kTickPlaces);
+    const there = places.get(key);
+    if (!there || rank[event.level] > rank[there.level]) places.set(key, event);
+  }
+  return [...places];
+}
 
 function position(at: number, begin: number, end: number): number {
   return end > begin && Number.isFinite(at) ? (at - begin) / (end - begin) : 1;
