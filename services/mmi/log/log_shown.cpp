@@ -31,7 +31,8 @@ std::int64_t LogShown::complete_at(std::size_t picture) const {
   const std::vector<std::size_t>& pictures = index_.pictures();
   const std::int64_t latest = later(index_.events()[pictures[picture]].at, parameters_.patience);
   if (picture + 1 == pictures.size()) return latest;
-  return std::min(latest, index_.events()[pictures[picture + 1]].at - 1);
+  const std::int64_t next = index_.events()[pictures[picture + 1]].at;
+  return std::min(latest, next > index_.begin() ? next - 1 : next);
 }
 
 void LogShown::hear(std::size_t event) {

@@ -4,6 +4,8 @@
 #include <markservo/channels.hpp>
 #include <vector>
 
+#include "common/time/seconds_between.hpp"
+
 namespace markservo::mmi {
 namespace {
 
@@ -46,7 +48,7 @@ void FrameRing::join(std::string_view channel, const reflection::Fields& fields,
   const auto part = part_of(channel);
   if (part != kParts.end()) (*frame)->parts[static_cast<std::size_t>(part->second)] = bytes;
   auto& delays = delays_[std::string(channel)];
-  delays.push_back(1e-6 * static_cast<double>(at - (*frame)->at));
+  delays.push_back(seconds_between((*frame)->at, at));
   if (delays.size() > parameters_.delays) delays.pop_front();
 }
 

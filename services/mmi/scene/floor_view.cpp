@@ -47,7 +47,7 @@ void FloorView::judge(Round& round) const {
   std::optional<Eigen::Vector2d> p_WF;
   if (reader_) {
     const double delay = poses_.delay().value_or(reader_->delay);
-    round.X_WR = poses_.at(round.utime - std::llround(1e6 * delay));
+    round.X_WR = poses_.at(std::max<std::int64_t>(round.utime, 0) - std::llround(1e6 * delay));
     if (round.X_WR) p_WF = *round.X_WR * reader_->p_RF;
   }
   if (p_WF) {

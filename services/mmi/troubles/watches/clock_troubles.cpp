@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "common/bus/clock_tolerance.hpp"
+#include "common/time/seconds_between.hpp"
 #include "services/mmi/troubles/watches/service_reason.hpp"
 
 namespace markservo::mmi {
@@ -15,7 +16,8 @@ std::string ahead_text(double seconds) {
 }  // namespace
 
 void ClockTroubles::observe(const AnyWord& word, double now) {
-  if (word.utime - word.at <= bus::kClockTolerance_us) {
+  const double ahead = seconds_between(word.at, word.utime);
+  if (ahead <= 1e-6 * static_cast<double>(bus::kClockTolerance_us)) {
     senders_.erase(word.session);
     return;
   }
@@ -23,7 +25,7 @@ void ClockTroubles::observe(const AnyWord& word, double now) {
   if (sender == nullptr) return;
   if (sender->in_a_row == 0 || now - sender->heard > parameters_.window) *sender = {{now, word.at}, 0, 0.0, {}, now};
   if (sender->in_a_row < parameters_.messages) ++sender->in_a_row;
-  sender->ahead = 1e-6 * static_cast<double>(word.utime - word.at);
+  sender->ahead = ahead;
   sender->channel = word.channel;
   sender->heard = now;
 }
