@@ -51,7 +51,10 @@ const SimBaseTruth& newest(const Client& client) {
 class Eavesdropper {
  public:
   // Not `subscribe`: GCC 12 checks the wrong pointer in a call through a member's address, and ubsan cries wolf.
-  Eavesdropper() : lcm_(url()) { lcm_.subscribeFunction(".*", note, &channels_); }
+  Eavesdropper() : lcm_(url()) {
+    constexpr int kAll = 100'000;  // messages: on a busy machine liblcm would drop what waits beyond its usual 30
+    lcm_.subscribeFunction(".*", note, &channels_)->setQueueCapacity(kAll);
+  }
   void listen() {
     while (lcm_.handleTimeout(0) > 0) {
     }
