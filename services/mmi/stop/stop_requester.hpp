@@ -27,7 +27,7 @@ namespace markservo::mmi {
 
 struct StopParameters {
   double repeat = 0.2;   // s between two sendings: LCM may lose one
-  double silent = 0.35;  // s after the request in which a device echoes (p99 0.2 s on a busy machine), or counts as
+  double silent = 0.32;  // s after the request in which a device echoes (p99 0.2 s on a busy machine), or counts as
                          // silent: a person sees it 0.1 s later, and is to see it within 0.5 s
   double gone = 2.0;  // s without a word, of 5 a second, after which a device counts as silent while nothing is asked
 };

@@ -103,9 +103,9 @@ TEST_F(Stop, ADeviceWithoutAnEchoIsSilentSoonWhetherItSpeaksOrNot) {
   stop.request("asked", 1.0);
   stop.due(1.0);
   echo("arm", 1.1);
-  hear("base", false, false, 101 * kSecond_us, 1.3);
-  EXPECT_EQ(answer(1, 1.34), StopAnswer::kRequested);
-  EXPECT_EQ(answer(1, 1.36), StopAnswer::kSilent);
+  hear("base", false, false, 101 * kSecond_us, 1.2);
+  EXPECT_EQ(answer(1, 1.31), StopAnswer::kRequested);
+  EXPECT_EQ(answer(1, 1.33), StopAnswer::kSilent);
   EXPECT_EQ(state(1.5), StopAnswer::kRequested);
   EXPECT_TRUE(stop.due(1.5));
   echo("base", 9.0);
