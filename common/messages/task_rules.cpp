@@ -45,7 +45,7 @@ void mend_time(std::int64_t& utime) {
 std::string MessageRules<TaskCommand>::violation(const TaskCommand& command) {
   if (auto why = text::violation("target", command.target); !why.empty()) return why;
   if (auto why = asker_violation(command.session, "command_id", command.command_id); !why.empty()) return why;
-  if (auto why = enum_violation("kind", command.kind, TaskCommand::HOME); !why.empty()) return why;
+  if (auto why = enum_violation("kind", command.kind, TaskCommand::DRIVE); !why.empty()) return why;
   if (auto why = near_violation("p_CT_expected", command.p_CT_expected); !why.empty()) return why;
   return pose_violation("drive_pose", command.drive_pose);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 // What who commands (operators, scripts, the display, experiments) must know to be obeyed: the movers' time. RESET
-// carries the newest STOP_STATE's, once every stop device is heard, START and HOME the newest TASK_STATE's; each repeat
-// is stamped anew. STOP and ABORT are obeyed whatever they carry, and wait for nobody.
+// carries the newest STOP_STATE's, once every stop device is heard, START, HOME and DRIVE the newest TASK_STATE's; each
+// repeat is stamped anew. STOP and ABORT are obeyed whatever they carry, and wait for nobody.
 
 #include <algorithm>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace markservo::motion {
 
-enum class CommandKind { kStop, kReset, kAbort, kStart, kHome };
+enum class CommandKind { kStop, kReset, kAbort, kStart, kHome, kDrive };
 
 class CommandSender {
  public:
@@ -40,6 +40,7 @@ class CommandSender {
         return silent_devices().empty() ? stop_state_utime_ : std::nullopt;
       case CommandKind::kStart:
       case CommandKind::kHome:
+      case CommandKind::kDrive:
         return task_state_utime_;
     }
     return std::nullopt;

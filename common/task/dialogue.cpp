@@ -27,6 +27,10 @@ std::string timed(double time, const std::string& text) {
 Dialogue::Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters)
     : action_(action), stop_devices_(std::move(stop_devices)), parameters_(std::move(parameters)), clear_(!moves()) {}
 
+bool Dialogue::moves() const {
+  return action_ == Action::kStart || action_ == Action::kHome || action_ == Action::kDrive;
+}
+
 void Dialogue::observe(const StopReport& report) {
   for (const std::string& device : stop_devices_) {
     if (device != report.device) continue;
@@ -92,7 +96,7 @@ std::optional<Ending> Dialogue::devices_ending() const {
                                                        : "released: nothing moves until it is told to (start or home)"};
 }
 
-// Why START or HOME must not be sent.
+// Why START, HOME or DRIVE must not be sent.
 std::optional<Ending> Dialogue::obstacle() const {
   for (const auto& [name, device] : devices_) {
     if (!device.latched) continue;

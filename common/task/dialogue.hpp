@@ -12,7 +12,7 @@
 
 namespace markservo::task {
 
-enum class Action { kStart, kAbort, kHome, kStop, kReset };
+enum class Action { kStart, kAbort, kHome, kStop, kReset, kDrive };
 
 using Phase = TaskPhase;
 
@@ -36,7 +36,7 @@ struct TaskReport {
   std::string reason;
 };
 
-inline constexpr int kExitReached = 0;        // lifted, done, home, aborted, stopped, reset
+inline constexpr int kExitReached = 0;        // lifted, done, home, arrived, aborted, stopped, reset
 inline constexpr int kExitRefused = 1;        // refused, failed or stopped: the line says why
 inline constexpr int kExitNoAnswer = 4;       // the line says who
 inline constexpr int kExitInterrupted = 130;  // told to end before there was an answer, as a shell tells Ctrl-C
@@ -59,8 +59,8 @@ struct Parameters {
 };
 
 // STOP is sent at once and its reset once every stop device has spoken, until every one has answered; ABORT at once,
-// until the task has. START and HOME wait until stop devices and task have spoken, are not sent while a stop is latched
-// or a task is under way, and are followed until the task ends.
+// until the task has. START, HOME and DRIVE wait until stop devices and task have spoken, are not sent while a stop is
+// latched or a task is under way, and are followed until the task ends.
 class Dialogue {
  public:
   Dialogue(Action action, std::vector<std::string> stop_devices, Parameters parameters = {});
@@ -75,7 +75,7 @@ class Dialogue {
 
  private:
   bool for_devices() const { return action_ == Action::kStop || action_ == Action::kReset; }
-  bool moves() const { return action_ == Action::kStart || action_ == Action::kHome; }
+  bool moves() const;
   std::optional<Ending> devices_ending() const;
   std::optional<Ending> obstacle() const;
   std::optional<Ending> task_ending() const;

@@ -29,6 +29,7 @@ struct TaskTransition {
 inline constexpr TaskTransition kTaskTransitions[] = {
     // Figure 11, and the drive before it.
     {TaskPhase::kDrive, TaskPhase::kLook, "arrived"},
+    {TaskPhase::kDrive, TaskPhase::kDone, "arrived: there was nothing to take"},
     {TaskPhase::kDrive, TaskPhase::kRefused, "it cannot set off"},
     {TaskPhase::kLook, TaskPhase::kDrive, "cannot be taken from here: nearer"},
     {TaskPhase::kLook, TaskPhase::kRefused, "cannot be taken"},
@@ -77,21 +78,21 @@ inline constexpr TaskTransition kTaskTransitions[] = {
     {TaskPhase::kHoldLifted, TaskPhase::kStopped, "STOP, or nothing is held"},
 
     // START.
-    {TaskPhase::kIdle, TaskPhase::kDrive, "START with a drive"},
-    {TaskPhase::kDone, TaskPhase::kDrive, "START with a drive"},
-    {TaskPhase::kRefused, TaskPhase::kDrive, "START with a drive"},
-    {TaskPhase::kFailed, TaskPhase::kDrive, "START with a drive"},
-    {TaskPhase::kStopped, TaskPhase::kDrive, "START with a drive"},
+    {TaskPhase::kIdle, TaskPhase::kDrive, "DRIVE, or START with a drive"},
+    {TaskPhase::kDone, TaskPhase::kDrive, "DRIVE, or START with a drive"},
+    {TaskPhase::kRefused, TaskPhase::kDrive, "DRIVE, or START with a drive"},
+    {TaskPhase::kFailed, TaskPhase::kDrive, "DRIVE, or START with a drive"},
+    {TaskPhase::kStopped, TaskPhase::kDrive, "DRIVE, or START with a drive"},
     {TaskPhase::kIdle, TaskPhase::kLook, "START"},
     {TaskPhase::kDone, TaskPhase::kLook, "START"},
     {TaskPhase::kRefused, TaskPhase::kLook, "START"},
     {TaskPhase::kFailed, TaskPhase::kLook, "START"},
     {TaskPhase::kStopped, TaskPhase::kLook, "START"},
-    {TaskPhase::kIdle, TaskPhase::kRefused, "START of what cannot be done"},
-    {TaskPhase::kDone, TaskPhase::kRefused, "START of what cannot be done"},
-    {TaskPhase::kFailed, TaskPhase::kRefused, "START of what cannot be done"},
-    {TaskPhase::kStopped, TaskPhase::kRefused, "START of what cannot be done"},
-    {TaskPhase::kHoldLifted, TaskPhase::kRefused, "START with a full hand"},
+    {TaskPhase::kIdle, TaskPhase::kRefused, "START or DRIVE that cannot be done"},
+    {TaskPhase::kDone, TaskPhase::kRefused, "START or DRIVE that cannot be done"},
+    {TaskPhase::kFailed, TaskPhase::kRefused, "START or DRIVE that cannot be done"},
+    {TaskPhase::kStopped, TaskPhase::kRefused, "START or DRIVE that cannot be done"},
+    {TaskPhase::kHoldLifted, TaskPhase::kRefused, "START or DRIVE with a full hand"},
 
     // HOME.
     {TaskPhase::kHoldLifted, TaskPhase::kRelease, "HOME: put back first"},

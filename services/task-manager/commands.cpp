@@ -18,26 +18,33 @@ const char* word_of(CommandKind kind) {
       return "HOME";
     case CommandKind::kAbort:
       return "ABORT";
+    case CommandKind::kDrive:
+      return "DRIVE";
   }
   return "";
 }
 
-std::optional<Transition> start(const Command& command, Phase phase, PhaseContext& context) {
+std::string words_of(const Command& command) {
+  const std::string word = word_of(command.kind);
+  return command.kind == CommandKind::kStart ? word + " of '" + command.target + "'" : word;
+}
+
+// START or DRIVE.
+std::optional<Transition> begin_task(const Command& command, Phase phase, PhaseContext& context) {
   Task& task = context.task;
-  const std::string subject = "START of '" + command.target + "' ";
   if (under_way(phase)) {
-    context.notices.push_back(subject + "ignored: " + task.command.target + " is under way (" + name_of(phase) +
-                              "); abort it first");
+    context.notices.push_back(words_of(command) + " ignored: " + subject_of(task.command) + " is under way (" +
+                              name_of(phase) + "); abort it first");
     return std::nullopt;
   }
   const std::string why = why_no_task(command, context);
   if (context.holding.something() && !why.empty()) {
-    context.notices.push_back(subject + "refused: " + why);
+    context.notices.push_back(words_of(command) + " refused: " + why);
     return refused(why);
   }
   task = Task();
   task.command = command;
-  task.attempt = 1;
+  task.attempt = command.kind == CommandKind::kStart ? 1 : 0;
   if (!why.empty()) return refused(why);
   if (command.drive_pose) return Transition{Drive::to(*command.drive_pose), "making ready to drive"};
   return look_for_target(context);
@@ -75,7 +82,8 @@ std::optional<Transition> abort_task(Phase phase, PhaseContext& context) {
 std::optional<Transition> execute(const Command& command, Phase phase, PhaseContext& context) {
   switch (command.kind) {
     case CommandKind::kStart:
-      return start(command, phase, context);
+    case CommandKind::kDrive:
+      return begin_task(command, phase, context);
     case CommandKind::kHome:
       return home(phase, context);
     case CommandKind::kAbort:

@@ -18,15 +18,18 @@ std::string names_of_targets(const robot::RobotDescription& robot) {
 std::string why_not_able(const Command& command, const robot::RobotDescription& robot,
                          const DriveParameters& parameters) {
   if (!robot.arm) return "the robot has no arm: its description has no section 'arm'";
+  if (command.drive_pose) {
+    if (!robot.base) return "the robot cannot drive: its description has no section 'base'";
+    if (auto why = why_off_the_field(robot, parameters.tag_field, *command.drive_pose); !why.empty()) return why;
+  }
+  if (command.kind == CommandKind::kDrive) return "";
   if (hand_mark_of(robot) == nullptr) return "the robot's description has no mark of role manipulator";
   const robot::MarkDescription* mark = robot.find_mark(command.target);
   if (mark == nullptr || mark->role != robot::MarkRole::kTarget) {
     return "unknown target '" + command.target + "'; the robot's description has: " + names_of_targets(robot);
   }
   if (!mark->grip) return "the description of " + command.target + " has no section 'grip': it cannot be taken";
-  if (!command.drive_pose) return "";
-  if (!robot.base) return "the robot cannot drive: its description has no section 'base'";
-  return why_off_the_field(robot, parameters.tag_field, *command.drive_pose);
+  return "";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ using Phase = TaskPhase;
 using Result = TaskResult;
 using Sight = MarkStatus;
 
-enum class CommandKind { kStart, kAbort, kHome };
+enum class CommandKind { kStart, kAbort, kHome, kDrive };
 
 struct Command {
   std::int64_t session = 0;
@@ -32,7 +32,7 @@ struct Command {
   std::string target;
   bool carry = false;
   std::optional<Eigen::Vector3d> p_CT_expected;   // m
-  std::optional<geometry::PlanePose> drive_pose;  // X_WR, where to stand; absent: where it stands
+  std::optional<geometry::PlanePose> drive_pose;  // X_WR, where to stand: DRIVE's; absent: where it stands
 };
 
 struct ServoReport {

@@ -2,6 +2,10 @@
 
 namespace markservo::task_manager {
 
+std::string subject_of(const Command& command) {
+  return command.kind == CommandKind::kDrive ? "a drive" : command.target;
+}
+
 Result result_after(Phase left, Phase entered, Result so_far) {
   switch (entered) {
     case Phase::kHoldLifted:

@@ -28,6 +28,8 @@ CommandKind kind_of(std::int8_t kind) {
       return CommandKind::kStart;
     case TaskCommand::HOME:
       return CommandKind::kHome;
+    case TaskCommand::DRIVE:
+      return CommandKind::kDrive;
     default:
       return CommandKind::kAbort;
   }
@@ -44,7 +46,8 @@ Command command_of(const TaskCommand& message) {
   command.target = message.target;
   command.carry = message.carry != 0;
   if (message.expected_known != 0) command.p_CT_expected = vector_of(message.p_CT_expected);
-  if (message.drive != 0) command.drive_pose = {message.drive_pose.x, message.drive_pose.y, message.drive_pose.heading};
+  const bool drives = command.kind == CommandKind::kDrive || message.drive != 0;
+  if (drives) command.drive_pose = {message.drive_pose.x, message.drive_pose.y, message.drive_pose.heading};
   return command;
 }
 

@@ -27,11 +27,9 @@ constexpr std::int64_t kRequest = 1;        // the only one of this program's se
 constexpr std::size_t kMostServices = 100;  // remembered, whoever invents names
 
 task::Action action_of(const std::string& text) {
-  static const std::map<std::string, task::Action> actions{{"start", task::Action::kStart},
-                                                           {"abort", task::Action::kAbort},
-                                                           {"home", task::Action::kHome},
-                                                           {"stop", task::Action::kStop},
-                                                           {"reset", task::Action::kReset}};
+  static const std::map<std::string, task::Action> actions{
+      {"start", task::Action::kStart}, {"abort", task::Action::kAbort}, {"home", task::Action::kHome},
+      {"drive", task::Action::kDrive}, {"stop", task::Action::kStop},   {"reset", task::Action::kReset}};
   return actions.at(text);
 }
 
@@ -41,6 +39,8 @@ motion::CommandKind kind_of(task::Action action) {
       return motion::CommandKind::kStart;
     case task::Action::kHome:
       return motion::CommandKind::kHome;
+    case task::Action::kDrive:
+      return motion::CommandKind::kDrive;
     case task::Action::kAbort:
       return motion::CommandKind::kAbort;
     case task::Action::kReset:
@@ -49,6 +49,28 @@ motion::CommandKind kind_of(task::Action action) {
       break;
   }
   return motion::CommandKind::kStop;
+}
+
+std::int8_t message_kind_of(task::Action action) {
+  switch (action) {
+    case task::Action::kStart:
+      return TaskCommand::START;
+    case task::Action::kHome:
+      return TaskCommand::HOME;
+    case task::Action::kDrive:
+      return TaskCommand::DRIVE;
+    default:
+      return TaskCommand::ABORT;
+  }
+}
+
+// `what` is the option that has the place: x and y in m, heading in degrees.
+void check_place(const std::string& what, const std::vector<double>& place, const robot::RobotDescription& robot,
+                 const std::string& robot_file) {
+  if (!robot.base) throw ConfigurationError(what + ": " + robot_file + " has no section 'base'; allowed: with one");
+  for (const double value : place) {
+    if (!std::isfinite(value)) throw ConfigurationError(what + ": not a number; allowed: X,Y,HEADING_DEG");
+  }
 }
 
 std::string targets_of(const robot::RobotDescription& robot) {
@@ -69,10 +91,14 @@ void TaskOperatorNode::add_options(CLI::App& app) {
   const bus::Options add(app);
   add.option("ACTION", wish_.action_text,
              "start: take --target, and tell how it goes; abort: hold where the arm is; home: back to the home "
-             "posture; stop: nothing moves until reset; reset: release the stop, and move nothing")
+             "posture; drive: to PLACE; stop: nothing moves until reset; reset: release the stop, and move nothing")
       .required()
       .not_in_config()
-      .one_of({"start", "abort", "home", "stop", "reset"});
+      .one_of({"start", "abort", "home", "drive", "stop", "reset"});
+  add.option("PLACE", wish_.place, "drive: X,Y,HEADING_DEG, where to (m and degrees on the tag field)")
+      .not_in_config()
+      .delimiter(',')
+      .expected(3);
   add.option("--target", wish_.target, "start: whose mark to take");
   add.option("--drive", wish_.drive, "start: X,Y,HEADING_DEG: drive there first (m and degrees on the tag field)")
       .delimiter(',')
@@ -99,15 +125,14 @@ void TaskOperatorNode::configure(const std::string& robot_file) {
       throw ConfigurationError("--target is '" + wish_.target + "'; allowed: " + targets_of(robot) + " (" + robot_file +
                                ")");
     }
-    if (!wish_.drive.empty() && !robot.base) {
-      throw ConfigurationError("--drive: " + robot_file + " has no section 'base'; allowed: without --drive");
-    }
-    for (const double value : wish_.drive) {
-      if (!std::isfinite(value)) throw ConfigurationError("--drive: not a number; allowed: X,Y,HEADING_DEG");
-    }
+    if (!wish_.drive.empty()) check_place("--drive", wish_.drive, robot, robot_file);
   } else if (!wish_.target.empty() || wish_.carry || !wish_.drive.empty()) {
     throw ConfigurationError("--target, --drive or --carry: without start; allowed: with start");
   }
+  if ((wish_.action == task::Action::kDrive) != !wish_.place.empty()) {
+    throw ConfigurationError("X,Y,HEADING_DEG behind " + wish_.action_text + "; allowed: behind drive, always");
+  }
+  if (!wish_.place.empty()) check_place("drive", wish_.place, robot, robot_file);
   dialogue_.emplace(wish_.action, robot.stop_devices, parameters_);
   sender_.emplace(robot.stop_devices);
 }
@@ -170,17 +195,12 @@ void TaskOperatorNode::send() {
   command.utime = *utime;
   command.session = bus_->session();
   command.command_id = kRequest;
-  command.kind = wish_.action == task::Action::kStart  ? TaskCommand::START
-                 : wish_.action == task::Action::kHome ? TaskCommand::HOME
-                                                       : TaskCommand::ABORT;
+  command.kind = message_kind_of(wish_.action);
   command.target = wish_.target;
   command.carry = wish_.carry ? 1 : 0;
-  if (!wish_.drive.empty()) {
-    command.drive = 1;
-    command.drive_pose.x = wish_.drive[0];
-    command.drive_pose.y = wish_.drive[1];
-    command.drive_pose.heading = geometry::radians(wish_.drive[2]);
-  }
+  command.drive = wish_.drive.empty() ? 0 : 1;
+  const std::vector<double>& place = wish_.drive.empty() ? wish_.place : wish_.drive;
+  if (!place.empty()) command.drive_pose = {place[0], place[1], geometry::radians(place[2])};
   commands_->publish(command);
 }
 
@@ -202,7 +222,8 @@ void TaskOperatorNode::run(bus::Bus& bus) {
     return;
   } while (bus.poll(std::chrono::milliseconds(50)));
   exit_code_ = task::kExitInterrupted;
-  const bool lasts = wish_.action == task::Action::kStart || wish_.action == task::Action::kHome;
+  const std::int8_t kind = message_kind_of(wish_.action);
+  const bool lasts = kind != TaskCommand::ABORT;
   std::cerr << typed_.name_or("task-operator") << ": ended before the answer; "
             << (lasts ? "the task goes on: abort or stop ends it" : "what was asked may have been done") << std::endl;
 }

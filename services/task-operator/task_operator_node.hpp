@@ -23,7 +23,8 @@ struct Wish {
   std::string action_text;
   task::Action action = task::Action::kStop;
   std::string target;
-  std::vector<double> drive;  // x and y (m), heading (degrees); empty: stand
+  std::vector<double> place;  // drive: x and y (m), heading (degrees)
+  std::vector<double> drive;  // start: likewise; empty: stand
   bool carry = false;
   std::string source = "task-operator";
 };

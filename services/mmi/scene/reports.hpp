@@ -117,7 +117,7 @@ struct StopRequestReport {
   std::string reason;
 };
 
-enum class CommandKind { kStart, kAbort, kHome };  // as TaskCommand.lcm numbers them
+enum class CommandKind { kStart, kAbort, kHome, kDrive };  // as TaskCommand.lcm numbers them
 
 // TASK_COMMAND.
 struct CommandReport {
@@ -126,7 +126,7 @@ struct CommandReport {
   CommandKind kind = CommandKind::kAbort;
   std::string target;  // START
   bool carry = false;  // START
-  bool drive = false;  // START
+  bool drive = false;  // START: drive there first
 };
 
 // SERVICE_STATUS.

@@ -36,6 +36,7 @@ static_assert(code_of(robot::MarkRole::kManipulator) == LocatedMark::ROLE_MANIPU
 static_assert(code_of(CommandKind::kStart) == TaskCommand::START);
 static_assert(code_of(CommandKind::kAbort) == TaskCommand::ABORT);
 static_assert(code_of(CommandKind::kHome) == TaskCommand::HOME);
+static_assert(code_of(CommandKind::kDrive) == TaskCommand::DRIVE);
 static_assert(code_of(ProcessState::kStopped) == ProcessStatus::STOPPED);
 static_assert(code_of(ProcessState::kStarting) == ProcessStatus::STARTING);
 static_assert(code_of(ProcessState::kRunning) == ProcessStatus::RUNNING);

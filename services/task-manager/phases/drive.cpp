@@ -31,7 +31,7 @@ std::optional<Transition> Drive::step(PhaseContext& context) {
       return watch(context);
     case Stage::kStanding:
       if (context.seconds_since(since_) < context.parameters.drive.settle_time) return std::nullopt;
-      return look_for_target(context);
+      return arrived(context);
   }
   return std::nullopt;
 }
@@ -76,6 +76,11 @@ void Drive::set_off(PhaseContext& context) {
   goal.clearance = context.parameters.drive.clearance;
   goal.speed = context.parameters.drive.speed;
   context.base_goals.set(goal);
+}
+
+Transition Drive::arrived(const PhaseContext& context) {
+  if (context.task.command.kind == CommandKind::kDrive) return {Done(), "arrived"};
+  return look_for_target(context);
 }
 
 std::optional<Transition> Drive::watch(PhaseContext& context) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// DRIVE, before figure 11: the arm folds, the base brings the robot to where it can take the target, and stands.
+// DRIVE, before figure 11 or alone: the arm folds, the base brings the robot to where it can take the target, or was
+// told to, and stands.
 
 #include <cstdint>
 #include <optional>
@@ -44,6 +45,7 @@ class Drive {
   std::optional<Transition> fold(PhaseContext& context);
   std::optional<Transition> watch(PhaseContext& context);
   void set_off(PhaseContext& context);
+  static Transition arrived(const PhaseContext& context);
 
   Stage stage_;
   bool from_robot_;  // `pose_` is X_RG, else X_WG

@@ -82,7 +82,7 @@ TEST(StopRules, AbortLosesAllButItsKind) {
 }
 
 TEST(StopRules, StartAndHomeAreNotMended) {
-  for (const std::int8_t kind : {TaskCommand::START, TaskCommand::HOME}) {
+  for (const std::int8_t kind : {TaskCommand::START, TaskCommand::HOME, TaskCommand::DRIVE}) {
     TaskCommand command{};
     command.session = 7;
     command.kind = kind;

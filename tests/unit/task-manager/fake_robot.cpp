@@ -48,6 +48,11 @@ void FakeRobot::send_drive(const geometry::PlanePose& pose, const std::string& t
   commands_.back().drive_pose = command_.drive_pose = pose;
 }
 
+void FakeRobot::send_drive_only(const geometry::PlanePose& pose) {
+  send(CommandKind::kDrive);
+  commands_.back().drive_pose = command_.drive_pose = pose;
+}
+
 void FakeRobot::send_again(CommandKind kind) {
   command_.kind = kind;
   send_again();

@@ -42,6 +42,7 @@ class FakeRobot {
 
   // START with a drive.
   void send_drive(const geometry::PlanePose& pose, const std::string& target = "red_book");
+  void send_drive_only(const geometry::PlanePose& pose);
   void send(CommandKind kind, const std::string& target = "", bool carry = false);
   void send_again();                  // the last command, repeated
   void send_again(CommandKind kind);  // another one under the last one's id

@@ -92,6 +92,10 @@ class DeclaredTransition : public ::testing::Test {
 
 void DeclaredTransition::see_what_goes_well() {
   at_work_in(Phase::kDone);
+  FakeRobot driven_only;
+  driven_only.base_pose.y = 0.05;
+  driven_only.send_drive_only(kDock);
+  go_on(driven_only, Phase::kDone);
   FakeRobot lifted = at_work_in(Phase::kHoldLifted);
   lifted.send(CommandKind::kHome);
   go_on(lifted, Phase::kDone);

@@ -158,6 +158,17 @@ TEST_F(OperatorOnABus, StartWithADriveSendsThePoseInRadiansAndFollowsIt) {
   EXPECT_NEAR(commands_[0].drive_pose.heading, 1.5708, 1e-4);
 }
 
+TEST_F(OperatorOnABus, DriveSendsThePoseAloneAndFollowsIt) {
+  latched_ = false;
+  procedure_ = {TaskState::DRIVE, TaskState::DRIVE, TaskState::DONE};
+  EXPECT_EQ(run({"drive", "-0.2,1.05,90"}), task::kExitReached);
+  ASSERT_FALSE(commands_.empty());
+  EXPECT_EQ(commands_[0].kind, TaskCommand::DRIVE);
+  EXPECT_EQ(commands_[0].target, "");
+  EXPECT_EQ(commands_[0].drive_pose.x, -0.2);
+  EXPECT_NEAR(commands_[0].drive_pose.heading, 1.5708, 1e-4);
+}
+
 TEST_F(OperatorOnABus, StartWithoutADriveStandsWhereItIs) {
   latched_ = false;
   procedure_ = {TaskState::HOLD_LIFTED};
@@ -233,6 +244,11 @@ TEST_F(OperatorOnABus, APoseThatIsNoneIsRefusedBeforeAnythingIsSent) {
   EXPECT_THROW(start("1.0,here,90"), CLI::ParseError);
   EXPECT_THROW(start("1.0,nan,90"), ConfigurationError);
   EXPECT_THROW(run({"home", "--drive", "1,2,90"}), ConfigurationError);
+  EXPECT_THROW(run({"drive"}), ConfigurationError);
+  EXPECT_THROW(run({"drive", "1,nan,90"}), ConfigurationError);
+  EXPECT_THROW(run({"drive", "1,2"}), CLI::ParseError);
+  EXPECT_THROW(run({"home", "1,2,90"}), ConfigurationError);
+  EXPECT_THROW(run({"drive", "1,2,90", "--target", "red_book"}), ConfigurationError);
   EXPECT_TRUE(commands_.empty());
 }
 
