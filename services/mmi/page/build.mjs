@@ -4,6 +4,7 @@ import {spawnSync} from 'node:child_process';
 import {existsSync, mkdirSync, mkdtempSync, readdirSync, renameSync, rmSync, copyFileSync, statSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
+import {lcmTypes} from './lcm_types.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const kNoRegistry = 3;
@@ -50,6 +51,7 @@ async function bundle(folder) {
     format: 'iife',
     target: ['chrome110', 'firefox115', 'safari16'],
     legalComments: 'eof',
+    plugins: [lcmTypes],
     logLevel: 'error',
   });
   for (const name of ['index.html', 'icon.svg']) copyFileSync(join(here, 'src', name), join(folder, name));

@@ -11,11 +11,18 @@ export interface Hearer {
   onStopFate(): void;
 }
 
+/** What this page speaks, of services/mmi/README.md. */
+const kProtocol = 1;
+
 export interface ConnectionParameters {
   /** ms without any message after which the page is greyed: mmi speaks every 250 ms, and 1 s is what is promised. */
   silence_ms: number;
   /** ms without any message after which the socket is given up for a new one. */
   give_up_ms: number;
+  /** ms without a hello after which a new socket is given up; after each that was, the next may take twice as long. */
+  hello_ms: number;
+  /** ms, at most: a log of many events says a hello that takes its time on a slow link. */
+  hello_most_ms: number;
   /** ms between two tries. */
   retry_ms: number;
   /** ms after which a Stop that nobody has answered is no longer sent: nobody expects it any more. */
@@ -25,9 +32,14 @@ export interface ConnectionParameters {
 export const kConnectionParameters: ConnectionParameters = {
   silence_ms: 800,
   give_up_ms: 3000,
+  hello_ms: 5000,
+  hello_most_ms: 60000,
   retry_ms: 400,
   stop_valid_ms: 10000,
 };
+
+/** ms; a page that slept longer between two looks has not waited all that time. */
+const kLongestWait_ms = 1000;
 
 /** What became of the newest Stop: no socket could take it yet, it went out without an answer yet, nobody answered it. */
 export type StopFate = 'waiting' | 'sent' | 'failed';
@@ -43,8 +55,13 @@ export class Connection {
   private stop_failed = false;
   /** The newest request that mmi has told of, and its state. */
   private stop_told = '';
-  /** mmi wants a token that we do not have: it lets us stop, and nothing else. */
+  /** mmi wants a token that we do not have, or speaks another protocol: it lets us stop, and nothing else. */
   private only_stop = false;
+  /** It has said hello. */
+  private greeted = false;
+  /** ms that this socket has been waited for to say hello, and how long that may take. */
+  private awaited_ms = 0;
+  private patience_ms: number;
   /** mmi has promised never to be silent for long: silence means that it is lost. */
   private speaks_always = false;
   private pictures_on = false;
@@ -53,12 +70,15 @@ export class Connection {
 
   constructor(
     private readonly url: string,
-    private readonly token: string | null,
+    private token: string | null,
     private readonly hearer: Hearer,
     private readonly parameters: ConnectionParameters = kConnectionParameters,
-  ) {}
+  ) {
+    this.patience_ms = parameters.hello_ms;
+  }
 
   start(): void {
+    this.watched_ms = performance.now();
     this.open();
     setInterval(() => this.watch(), 100);
   }
@@ -69,6 +89,14 @@ export class Connection {
     this.stop_failed = false;
     if (this.only_stop && !this.socket) this.open();
     return this.sendStop();
+  }
+
+  /** Speaks with another token from now on: mmi may grant what it has refused. */
+  useToken(token: string): void {
+    if (token === this.token) return;
+    this.token = token;
+    this.only_stop = false;
+    this.openAnew('');
   }
 
   /** Null: none is under way, or mmi has told of it. */
@@ -101,6 +129,8 @@ export class Connection {
   private open(): void {
     clearTimeout(this.retry);
     this.speaks_always = false;
+    this.greeted = false;
+    this.awaited_ms = 0;
     const socket = new WebSocket(this.url);
     socket.binaryType = 'arraybuffer';
     this.socket = socket;
@@ -115,8 +145,8 @@ export class Connection {
     this.heard_ms = performance.now();
     this.sendStop();
     if (this.only_stop) return;
-    if (this.token !== null) this.send({type: 'hello', protocol: 1, token: this.token});
-    else this.send({type: 'hello', protocol: 1});
+    if (this.token !== null) this.send({type: 'hello', protocol: kProtocol, token: this.token});
+    else this.send({type: 'hello', protocol: kProtocol});
     if (this.looked.length > 0) this.send({type: 'look', channels: this.looked});
     if (this.pictures_on) this.send({type: 'pictures', on: true});
   }
@@ -131,10 +161,16 @@ export class Connection {
     const message = JSON.parse(event.data as string) as {type: string};
     if (message.type === 'hello') this.onHello(message as Hello);
     else if (message.type === 'update') this.onUpdate(message as Update);
-    this.tell('open', '');
+    if (this.greeted) this.tell('open', '');
   }
 
   private onHello(hello: Hello): void {
+    if (hello.protocol !== kProtocol) {
+      this.refuse(`it speaks protocol ${hello.protocol}, this page ${kProtocol}: reload the page`);
+      return;
+    }
+    this.greeted = true;
+    this.patience_ms = this.parameters.hello_ms;
     this.speaks_always = hello.update_at_least_every !== undefined;
     this.hearer.onHello(hello);
   }
@@ -156,7 +192,7 @@ export class Connection {
   private onClose(socket: WebSocket, event: CloseEvent): void {
     if (socket !== this.socket) return;
     this.socket = null;
-    const refused = /token/i.test(event.reason);
+    const refused = /token|protocol/i.test(event.reason);
     if (refused) this.only_stop = true;
     if (refused || !this.only_stop) this.tell('lost', event.reason);
     // Without a token a socket is opened for a Stop alone.
@@ -171,19 +207,48 @@ export class Connection {
       this.stop_wanted = null;
       this.hearer.onStopFate();
     }
+    const passed_ms = now - this.watched_ms;
     // A page that slept (a laptop's lid, a debugger) has not heard because it did not listen.
-    if (now - this.watched_ms > 500) this.heard_ms = Math.max(this.heard_ms, now - this.parameters.silence_ms / 2);
+    if (passed_ms > 500) this.heard_ms = Math.max(this.heard_ms, now - this.parameters.silence_ms / 2);
     this.watched_ms = now;
+    this.awaitHello(passed_ms);
     if (!this.speaks_always) return;
     const silence_ms = now - this.heard_ms;
     if (silence_ms > this.parameters.silence_ms && this.life === 'open') this.tell('silent', '');
-    if (silence_ms > this.parameters.give_up_ms && this.socket) {
-      const given_up = this.socket;
-      this.socket = null;
-      given_up.close();
-      this.tell('lost', '');
-      this.open();
-    }
+    if (silence_ms > this.parameters.give_up_ms && this.socket) this.openAnew('');
+  }
+
+  /** A handshake may hang for minutes, and a forwarder takes a socket whose other end nobody reads. */
+  private awaitHello(passed_ms: number): void {
+    // To a Stop alone nobody says hello.
+    const awaited = this.only_stop ? this.socket?.readyState !== WebSocket.OPEN : !this.greeted;
+    if (!awaited || !this.socket) return;
+    this.awaited_ms += Math.min(passed_ms, kLongestWait_ms);
+    if (this.awaited_ms <= this.patience_ms) return;
+    const why = `no answer within ${this.patience_ms / 1000} s`;
+    this.patience_ms = Math.min(2 * this.patience_ms, this.parameters.hello_most_ms);
+    this.openAnew(why);
+  }
+
+  private openAnew(why: string): void {
+    this.giveUp();
+    this.tell('lost', why);
+    if (!this.only_stop || this.stop_wanted) this.open();
+  }
+
+  /** What comes from this socket is no longer heard. */
+  private giveUp(): void {
+    const given_up = this.socket;
+    this.socket = null;
+    given_up?.close();
+  }
+
+  /** We do not understand each other, and will not by trying again; Stop is understood before hello. */
+  private refuse(why: string): void {
+    this.only_stop = true;
+    this.speaks_always = false;
+    this.giveUp();
+    this.tell('lost', why);
   }
 
   private sendStop(): boolean {

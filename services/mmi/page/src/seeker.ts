@@ -26,6 +26,12 @@ export class Seeker {
     this.work(now_ms);
   }
 
+  /** Goes nowhere any more. */
+  forget(): void {
+    this.under_way = null;
+    this.next = null;
+  }
+
   /** To be called from time to time: gives up what has got lost. */
   work(now_ms: number): void {
     if (this.under_way !== null && now_ms - this.sent_ms! > kGivenUp_ms) this.under_way = null;

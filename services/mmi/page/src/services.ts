@@ -10,6 +10,8 @@ export interface ServiceRow {
   at: number | null;
   process: string | null;
   pid: number | null;
+  /** us, wall clock of its host: when the process began. */
+  started: number | null;
   restarts: number | null;
   why: string;
   level: Level;
@@ -41,6 +43,7 @@ export function joinServices(
       at: null,
       process: null,
       pid: null,
+      started: null,
       restarts: null,
       why: '',
       level: 'good',
@@ -67,8 +70,9 @@ export function joinServices(
       Object.assign(row(slot.key || slot.channel, slot.key || slot.channel), badWords(slot));
       continue;
     }
-    const {name, state, pid, restarts, why} = slot.message;
-    Object.assign(row(slot.key, name), {process: nameOfState(state), pid: pid || null, restarts, why});
+    const {name, state, pid, start_utime, restarts, why} = slot.message;
+    const started = microseconds(start_utime) || null;
+    Object.assign(row(slot.key, name), {process: nameOfState(state), pid: pid || null, started, restarts, why});
   }
   for (const one of rows.values()) one.level = levelOf(one, now);
   const rank: Record<Level, number> = {bad: 0, warning: 1, info: 2, good: 2};

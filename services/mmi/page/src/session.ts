@@ -62,6 +62,7 @@ export const connection = new Connection(
     onUpdate: (update) => {
       store.onUpdate(update);
       if (update.anew) awaitPicture();
+      if (store.past_is_lost) dropLostPicture();
     },
     onLife: (life, why) => store.onLife(life, why),
     onStopFate: () => store.tell('choice'),
@@ -97,6 +98,11 @@ function awaitPicture(): void {
   setTimeout(() => {
     if (old !== null && store.picture === old) showNoPicture();
   }, kPictureAwaited_ms);
+}
+
+/** The past that is shown has moved on to what is still kept; a picture of before is of another time than the rest. */
+function dropLostPicture(): void {
+  if (store.picture && microseconds(store.picture.header.at) < (store.kept_begin ?? -Infinity)) showNoPicture();
 }
 
 /** Draws the picture that was the newest at `at` (us), of those that are kept. */

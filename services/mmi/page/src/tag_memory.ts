@@ -1,13 +1,13 @@
 import {tagPlaces, tagStates, type TagState} from './drawing/floor_map.js';
 import {microseconds} from './format.js';
-import type {FloorRound, TagScene} from './protocol.js';
+import type {FloorRound, Slot, TagScene} from './protocol.js';
 
 export interface TagRow {
   uid: string;
   state: TagState;
   place: [number, number] | null;
   rssi: number | null;
-  /** us, when it was last read. */
+  /** us, arrival of the newest round that read it. */
   at: number;
   count: number;
 }
@@ -16,18 +16,30 @@ const kRowsAtMost = 200;
 /** The tags that nothing was said of for longest are forgotten beyond that. */
 const kKnownAtMost = 1000;
 
+/**
+ * us, when a round arrived: the reader's own times may be of another clock than the source's. `slot`: the newest
+ * RFID_TAG_HITS; `now`: what is taken where that is not the round's.
+ */
+export function arrivalOf(floor: FloorRound | null, slot: Slot | null, now: number): number {
+  const is_its = floor !== null && String(slot?.message?.utime) === String(floor.utime);
+  return is_its ? microseconds(slot!.at) : now;
+}
+
 /** What rounds of the reader said of tags, the last word of each. */
 export class TagMemory {
   /** The one spoken of last at the end. */
   private rows_ = new Map<string, TagRow>();
-  private utime = -Infinity;
+  private utime = NaN;
+  private arrival = -Infinity;
 
-  observe(floor: FloorRound | null, tags: TagScene[]): void {
+  /** `arrival`: of the round, us. A round that arrived before the last one is of another time, and all is told anew. */
+  observe(floor: FloorRound | null, tags: TagScene[], arrival: number): void {
     if (!floor) return;
     const utime = microseconds(floor.utime);
     if (utime === this.utime) return;
-    if (utime < this.utime) this.rows_.clear();
+    if (arrival < this.arrival) this.rows_.clear();
     this.utime = utime;
+    this.arrival = arrival;
     const places = tagPlaces(tags);
     const states = tagStates(floor);
     for (const row of this.rows_.values()) row.state = 'idle';
@@ -38,7 +50,7 @@ export class TagMemory {
         state: 'read',
         place: tag.place,
         rssi: tag.rssi,
-        at: microseconds(tag.at),
+        at: arrival,
         count: tag.count,
       });
     }

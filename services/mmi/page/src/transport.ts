@@ -6,11 +6,22 @@ import {connection, showPastPicture, store} from './session.js';
 const seeker = new Seeker((at) => connection.send({type: 'seek', utime: String(at)}));
 let seeks = store.seeks;
 store.hear((change) => {
+  if (change === 'choice') goBackToWhereItWas();
   if (change !== 'state') return;
   if (store.seeks !== seeks) seeker.arrived(performance.now());
   else seeker.work(performance.now());
   seeks = store.seeks;
 });
+
+/** A log whose source was lost is shown from its begin again: goes to where it was, or was being sought; plays on. */
+function goBackToWhereItWas(): void {
+  const left = store.takeLeft();
+  if (!left) return;
+  const at = seeker.target ?? microseconds(left.utime);
+  seeker.forget();
+  goTo(at);
+  if (left.playing) connection.send({type: 'play', speed: left.speed});
+}
 
 /** us; where a log is being sought; null when it is where it shall be. */
 export function soughtTime(): number | null {
@@ -20,7 +31,7 @@ export function soughtTime(): number | null {
 /** The time that is shown, us. */
 export function shownTime(): number {
   if (store.is_log) return microseconds(store.play?.utime ?? store.now);
-  return store.paused_at ?? store.now;
+  return store.shown_past ?? store.now;
 }
 
 export function plays(): boolean {
@@ -31,7 +42,7 @@ export function plays(): boolean {
 export function range(): {begin: number; end: number} {
   const log = store.hello?.log;
   if (log) return {begin: microseconds(log.begin), end: microseconds(log.end)};
-  return {begin: store.history.begin ?? store.now, end: store.now};
+  return {begin: store.kept_begin ?? store.now, end: store.now};
 }
 
 let speed = 1;
@@ -67,6 +78,16 @@ export function goTo(at: number): void {
   const within = Math.round(Math.min(Math.max(at, begin), end));
   store.pauseAt(within);
   showPastPicture(within);
+}
+
+/** Goes to the time (us) that an address holds; where it is not kept, the page says so and shows the newest. */
+export function goToAddressed(at: number): void {
+  if (store.is_log) {
+    goTo(at);
+    return;
+  }
+  store.recall(at);
+  if (store.paused_at !== null) showPastPicture(store.paused_at);
 }
 
 export function showNewest(): void {

@@ -1,6 +1,7 @@
 import type {Moment} from './moment.js';
 import type {Hello, Level, Slot} from './protocol.js';
 import {bytes, microseconds} from './format.js';
+import {kRecorderSilent_us} from './recorders.js';
 
 /** What a phase means to who watches; a phase that is not listed is shown by its name alone. */
 const kPhaseWords: Record<string, string> = {
@@ -47,9 +48,6 @@ export function phaseOf(hello: Hello | null, moment: Moment): string | null {
   const task = moment.message('TASK_STATE');
   return task ? stateName(hello, 'TASK_STATE', task.state) : null;
 }
-
-/** us; a recorder says how it does every second, and at its end. */
-const kRecorderSilent_us = 4e6;
 
 /** A recorder that fell silent while it recorded has not ended as it should, and is told as such. */
 export function recordingWords(moment: Moment): {on: boolean; text: string} {

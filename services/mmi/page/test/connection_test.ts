@@ -23,7 +23,10 @@ class FakeSocket {
   send(text: string): void {
     this.sent.push(JSON.parse(text));
   }
-  close(): void {}
+  closed = false;
+  close(): void {
+    this.closed = true;
+  }
 
   open(): void {
     this.readyState = FakeSocket.OPEN;
@@ -44,7 +47,10 @@ class FakeSocket {
 const kParameters = {...kConnectionParameters, retry_ms: 1, stop_valid_ms: 150};
 const kDeaf: Hearer = {onHello() {}, onUpdate() {}, onPicture() {}, onLife() {}, onStopFate() {}};
 const real_interval = globalThis.setInterval;
+const real_now = performance.now.bind(performance);
 let running: NodeJS.Timeout[] = [];
+let watching: (() => void)[] = [];
+let shift_ms = 0;
 
 function connected(hearer: Hearer = kDeaf): Connection {
   const connection = new Connection('ws://robot/socket', null, hearer, kParameters);
@@ -57,14 +63,26 @@ function stop(state: Stop['state'], request: string): object {
   return {type: 'update', now: '1', stop: {state, request, devices: []}};
 }
 
+/** Lets time pass at the connection's clock, without waiting for it. */
+function passes(ms: number): void {
+  for (let passed = 0; passed < ms; passed += 100) {
+    shift_ms += 100;
+    for (const watch of watching) watch();
+  }
+}
+
 const pause = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
 
 beforeEach(() => {
   FakeSocket.all = [];
+  watching = [];
+  shift_ms = 0;
+  Object.defineProperty(performance, 'now', {value: () => real_now() + shift_ms, configurable: true});
   (globalThis as Record<string, unknown>).WebSocket = FakeSocket;
   globalThis.setInterval = ((task: () => void, ms: number) => {
     const timer = real_interval(task, ms);
     running.push(timer);
+    watching.push(task);
     return timer;
   }) as typeof setInterval;
 });
@@ -136,6 +154,102 @@ test('without the token there is Stop and nothing else', async () => {
     ['stop'],
   );
   assert.equal(connection.stopFate, 'sent');
+});
+
+/** What the page is told of its connection, in order. */
+function lives(): {told: string[]; hearer: Hearer} {
+  const told: string[] = [];
+  return {told, hearer: {...kDeaf, onLife: (life, why) => told.push(why ? `${life}: ${why}` : life)}};
+}
+const hello = {type: 'hello', protocol: 1, update_at_least_every: 0.25};
+
+test('the page is open once mmi has said hello, and not before', () => {
+  const {told, hearer} = lives();
+  connected(hearer);
+  FakeSocket.newest.say({type: 'update', now: '1'});
+  assert.deepEqual(told, []);
+  FakeSocket.newest.say(hello);
+  assert.deepEqual(told, ['open']);
+});
+
+test('a handshake that hangs, and a hello that never comes, are given up and tried again', () => {
+  const {told, hearer} = lives();
+  const connection = new Connection('ws://robot/socket', null, hearer, kParameters);
+  connection.start();
+  passes(4000);
+  assert.equal(FakeSocket.all.length, 1);
+  passes(2000);
+  assert.equal(FakeSocket.all.length, 2);
+  assert.ok(FakeSocket.all[0]!.closed);
+  assert.deepEqual(told, ['lost: no answer within 5 s']);
+  // The second time it may take twice as long.
+  FakeSocket.newest.open();
+  passes(7000);
+  assert.equal(FakeSocket.all.length, 2);
+  passes(3000);
+  assert.equal(FakeSocket.all.length, 3);
+  FakeSocket.newest.open();
+  FakeSocket.newest.say(hello);
+  assert.equal(told.at(-1), 'open');
+});
+
+test('a page that slept has not waited all that time for a hello', () => {
+  connected();
+  shift_ms += 3600e3;
+  passes(1000);
+  assert.equal(FakeSocket.all.length, 1);
+});
+
+test('what a socket says that was given up is not heard', () => {
+  const {told, hearer} = lives();
+  new Connection('ws://robot/socket', null, hearer, kParameters).start();
+  passes(6000);
+  FakeSocket.all[0]!.open();
+  FakeSocket.all[0]!.say(hello);
+  assert.deepEqual(told, ['lost: no answer within 5 s']);
+});
+
+test('another protocol than ours is told in words, and leaves Stop', async () => {
+  const {told, hearer} = lives();
+  let heard = 0;
+  const connection = connected({...hearer, onHello: () => ++heard});
+  FakeSocket.newest.say({...hello, protocol: 2});
+  assert.equal(heard, 0);
+  assert.deepEqual(told, ['lost: it speaks protocol 2, this page 1: reload the page']);
+  passes(10000);
+  await pause(20);
+  assert.equal(FakeSocket.all.length, 1);
+  connection.stop('by hand');
+  FakeSocket.newest.open();
+  assert.deepEqual(
+    FakeSocket.newest.sent.map((message) => message.type),
+    ['stop'],
+  );
+});
+
+test('where mmi refuses our protocol it is not asked again', async () => {
+  const {told, hearer} = lives();
+  connected(hearer);
+  FakeSocket.newest.lose('another protocol than 2: reload the page');
+  await pause(20);
+  assert.equal(FakeSocket.all.length, 1);
+  assert.deepEqual(told, ['lost: another protocol than 2: reload the page']);
+});
+
+test('another token is tried at once, the same one is not', async () => {
+  const connection = connected();
+  FakeSocket.newest.lose('another token');
+  await pause(20);
+  assert.equal(FakeSocket.all.length, 1);
+  connection.useToken('new');
+  assert.equal(FakeSocket.all.length, 2);
+  FakeSocket.newest.open();
+  assert.deepEqual(FakeSocket.newest.sent[0], {type: 'hello', protocol: 1, token: 'new'});
+  connection.useToken('new');
+  assert.equal(FakeSocket.all.length, 2);
+  connection.useToken('newer');
+  assert.ok(FakeSocket.all[1]!.closed);
+  assert.equal(FakeSocket.all.length, 3);
 });
 
 test('an update is taken even where it cannot be drawn', () => {

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import {ellipseOf} from '../src/drawing/geometry.js';
 import {millimetres} from '../src/format.js';
-import {GoalAnchor} from '../src/goal_anchor.js';
+import {GoalAnchors} from '../src/goal_anchor.js';
 import {finitePoint, finitePose, numberOf, words} from '../src/numbers.js';
 
 test('a null of a message is no number, and never 0', () => {
@@ -27,5 +27,11 @@ test('a covariance with a null has no size, rather than one of 0', () => {
 test("a goal with a null is nowhere, in the robot's frame too", () => {
   const pose = {x: null, y: 0, heading: 0};
   const robot = {x: 1, y: 1, heading: 0};
-  for (const frame of [0, 1]) assert.equal(new GoalAnchor().goal({kind: 1, frame, pose}, robot), null);
+  for (const frame of [0, 1]) {
+    const anchors = new GoalAnchors();
+    const message = {session: '1', goal_id: '1', kind: 1, frame, pose};
+    anchors.advance(0);
+    anchors.observe(message, 2e6, robot);
+    assert.equal(anchors.goal(message), null);
+  }
 });

@@ -5,6 +5,7 @@ import {mkdtempSync, readdirSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
+import {lcmTypes} from '../lcm_types.mjs';
 
 const kSkipped = 77;
 const esbuild = await import('esbuild').catch(() => null);
@@ -26,6 +27,8 @@ try {
     target: 'node18',
     outExtension: {'.js': '.mjs'},
     sourcemap: 'inline',
+    plugins: [lcmTypes],
+    loader: {'.cpp': 'text'},
     logLevel: 'error',
   });
   const run = spawnSync(

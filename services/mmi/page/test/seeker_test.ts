@@ -15,6 +15,17 @@ test('one seek is under way at a time, and then only the newest wanted is made',
   assert.deepEqual(sent, [1, 4]);
 });
 
+test('what is forgotten is sought no more', () => {
+  const sent: number[] = [];
+  const seeker = new Seeker((at) => sent.push(at));
+  seeker.seek(1, 0);
+  seeker.seek(2, 0);
+  seeker.forget();
+  assert.equal(seeker.target, null);
+  seeker.seek(3, 1);
+  assert.deepEqual(sent, [1, 3]);
+});
+
 test('a seek that brings nothing does not hold up the next for ever', () => {
   const sent: number[] = [];
   const seeker = new Seeker((at) => sent.push(at));

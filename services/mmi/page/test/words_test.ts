@@ -1,16 +1,16 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {readAddress, writeAddress} from '../src/address.js';
-import {csvOf} from '../src/csv.js';
 import * as format from '../src/format.js';
-import {GoalAnchor} from '../src/goal_anchor.js';
+import {GoalAnchors} from '../src/goal_anchor.js';
 import {Moment, slotId} from '../src/moment.js';
 import {keyOf} from '../src/keys.js';
 import {isPlottable, leafAt, leaves} from '../src/leaves.js';
 import {parsePicture} from '../src/protocol.js';
+import {recorderRows} from '../src/recorders.js';
 import {joinServices} from '../src/services.js';
 import {withoutPatches} from '../src/slim.js';
-import {TagMemory} from '../src/tag_memory.js';
+import {arrivalOf, TagMemory} from '../src/tag_memory.js';
 import {phasesPassed, sinceOf} from '../src/task_time.js';
 import type {RobotEvent, Slot} from '../src/protocol.js';
 import {noneWords, recordingWords} from '../src/words.js';
@@ -75,17 +75,6 @@ test("a message's leaves are named as the export names its columns", () => {
   assert.ok(!isPlottable({path: 'session', value: '12345678901234567'}));
 });
 
-test('a table begins with log_utime, names states, and quotes what needs it', () => {
-  const rows = [
-    {at: 1, message: {utime: '7', state: 1, reason: 'a, "b"'}},
-    {at: 2, message: {utime: '8', state: 0, reason: '', more: 3}},
-  ];
-  assert.equal(
-    csvOf(rows, ['HOLD', 'SERVO']),
-    'log_utime,utime,state,reason,more\n1,7,SERVO,"a, ""b""",\n2,8,HOLD,,3\n',
-  );
-});
-
 test('the address keeps view, choice and time, and drops nonsense', () => {
   const address = {view: 'drive', selected: 'E004&x', at: '1600000000000000', token: 'secret'};
   assert.deepEqual(readAddress(writeAddress(address)), address);
@@ -119,16 +108,47 @@ test('detections are kept without their pixels', () => {
     message: {marks: [{name: 'hand', left: {u: 1, patch: {bgr: 'AAAA'}}, right: {u: 2, patch: {bgr: 'AAAA'}}}]},
   };
   const text = JSON.stringify(withoutPatches(slot));
-  assert.ok(!text.includes('AAAA') && text.includes('"u":1'));
+  assert.ok(!text.includes('AAAA') && text.includes('"u":1') && text.includes('"bgr":{"bytes":3}'));
 });
 
+const goalInRobot = {session: '1', goal_id: '1', kind: 1, frame: 1, pose: {x: 1, y: 0, heading: 0}};
+const robotAt = (x: number) => ({x, y: 0, heading: 0});
+
 test("a goal in the robot's frame stays where it was when it was first heard", () => {
-  const anchor = new GoalAnchor();
-  const message = {session: '1', goal_id: '1', kind: 1, frame: 1, pose: {x: 1, y: 0, heading: 0}};
-  assert.equal(anchor.goal(message, {x: 0, y: 0, heading: 0})!.x, 1);
-  assert.equal(anchor.goal(message, {x: 5, y: 0, heading: 0})!.x, 1);
-  assert.equal(anchor.goal({...message, goal_id: '2'}, {x: 5, y: 0, heading: 0})!.x, 6);
-  assert.equal(anchor.goal({...message, kind: 0}, null), null);
+  const anchors = new GoalAnchors();
+  const second = {...goalInRobot, goal_id: '2'};
+  anchors.advance(0);
+  anchors.observe(goalInRobot, 2e6, robotAt(0));
+  anchors.observe(goalInRobot, 3e6, robotAt(5));
+  assert.equal(anchors.goal(goalInRobot)!.x, 1);
+  anchors.observe(second, 4e6, robotAt(5));
+  assert.equal(anchors.goal(second)!.x, 6);
+  assert.equal(anchors.goal(goalInRobot)!.x, 1);
+  assert.equal(anchors.goal({...goalInRobot, kind: 0}), null);
+});
+
+test("a goal in the robot's frame that was given before we heard the source has no place", () => {
+  const anchors = new GoalAnchors();
+  anchors.advance(10e6);
+  anchors.observe(goalInRobot, 10.1e6, robotAt(3));
+  assert.equal(anchors.goal(goalInRobot), null);
+  assert.ok(anchors.isUnplaced(goalInRobot));
+  assert.ok(!anchors.isUnplaced({...goalInRobot, frame: 0}));
+  const next = {...goalInRobot, goal_id: '2'};
+  anchors.observe(next, 10.2e6, robotAt(3));
+  assert.equal(anchors.goal(next)!.x, 4);
+});
+
+test('a place that is known is kept when the source goes on elsewhere, and until all is void', () => {
+  const anchors = new GoalAnchors();
+  anchors.advance(0);
+  anchors.observe(goalInRobot, 2e6, robotAt(0));
+  anchors.interrupt();
+  anchors.advance(50e6);
+  anchors.observe(goalInRobot, 50e6, robotAt(9));
+  assert.equal(anchors.goal(goalInRobot)!.x, 1);
+  anchors.forget();
+  assert.equal(anchors.goal(goalInRobot), null);
 });
 
 test('services that died, are silent or wait stand first', () => {
@@ -142,7 +162,7 @@ test('services that died, are silent or wait stand first', () => {
     channel: 'PROCESS_STATUS',
     key: `${name}@h`,
     at: 9e6,
-    message: {name, state, pid: 1, restarts: 0, why: ''},
+    message: {name, state, pid: 1, start_utime: name === 'd' ? '7000000' : '0', restarts: 0, why: ''},
   });
   const rows = joinServices(
     [service('a', 9e6), service('b', 9e6, 'no frames'), service('c', 1e6)],
@@ -154,6 +174,37 @@ test('services that died, are silent or wait stand first', () => {
     rows.map((row) => `${row.name} ${row.level}`),
     ['c bad', 'd bad', 'b warning', 'a good'],
   );
+  assert.equal(rows[1]!.started, 7e6);
+  assert.equal(rows[0]!.started, null);
+});
+
+test('a recorder tells where it writes, how much, how much is free, in how many parts, and why not', () => {
+  const slot = (key: string, at: number, more: object): Slot => ({
+    channel: 'RECORDER_STATUS',
+    key,
+    at,
+    message: {folder: '/logs/a', host: 'h', recording: true, bytes: '5', free_bytes: '7', parts: 2, why: '', ...more},
+  });
+  const rows = recorderRows(
+    [
+      slot('ended', 9e6, {recording: false, why: 'the disk is full'}),
+      slot('well', 9e6, {}),
+      slot('mute', 1e6, {}),
+      {channel: 'RECORDER_STATUS', key: '', at: 9e6, bad: 'cut off'},
+    ],
+    9e6,
+  );
+  assert.deepEqual(
+    rows.map((row) => `${row.key} ${row.words} ${row.level} ${row.why}`),
+    [
+      'RECORDER_STATUS garbled bad not a message: cut off',
+      'mute silent bad ',
+      'ended not recording warning the disk is full',
+      'well recording good ',
+    ],
+  );
+  const {folder, host, bytes, free_bytes, parts} = rows[3]!;
+  assert.deepEqual([folder, host, bytes, free_bytes, parts], ['/logs/a', 'h', 5, 7, 2]);
 });
 
 test('the tag table remembers the last word of each tag', () => {
@@ -171,23 +222,39 @@ test('the tag table remembers the last word of each tag', () => {
       read: [{uid: 'a', rssi: -50, at: 1, count: 1, place: [0, 0]}],
     },
     tags,
+    1,
   );
-  memory.observe({utime: 2, expected: [], missed: [], unexpected: [], read: []}, tags);
+  memory.observe({utime: 2, expected: [], missed: [], unexpected: [], read: []}, tags, 2);
   assert.deepEqual(
     memory.rows(5).map((row) => `${row.uid} ${row.state} ${row.count}`),
     ['a idle 1', 'b idle 0'],
   );
-  memory.observe({utime: 0, expected: [], missed: [], unexpected: [], read: []}, tags);
+  memory.observe({utime: 0, expected: [], missed: [], unexpected: [], read: []}, tags, 0);
   assert.equal(memory.rows(5).length, 0);
+});
+
+test("a tag's age is told by arrivals, whatever clock its reader has", () => {
+  const memory = new TagMemory();
+  const day_us = 86400e6;
+  const read = [{uid: 'a', rssi: null, at: 5, count: 1, place: null}];
+  const floor = {utime: '5', expected: [], missed: [], unexpected: [], read};
+  const slot = {channel: 'RFID_TAG_HITS', key: '', at: String(2269 * day_us), message: {utime: '5'}};
+  const now = 2269 * day_us + 2e6;
+  memory.observe(floor, [], arrivalOf(floor, slot, now));
+  assert.equal(now - memory.rows(now)[0]!.at, 2e6);
+  assert.equal(arrivalOf(floor, {...slot, message: {utime: '6'}}, now), now);
+  // Its clock may even be set back while arrivals go on.
+  memory.observe({...floor, utime: '1', read: []}, [], now + 1);
+  assert.equal(memory.rows(now + 2).length, 1);
 });
 
 test('at most 1,000 tags are remembered, those spoken of last', () => {
   const memory = new TagMemory();
   for (let i = 0; i < 1500; i++) {
-    memory.observe({utime: i, expected: [`tag ${i}`], missed: [], unexpected: [], read: []}, []);
+    memory.observe({utime: i, expected: [`tag ${i}`], missed: [], unexpected: [], read: []}, [], i);
   }
   assert.equal(memory.size, 1000);
-  assert.equal(memory.rows(5)[0]!.uid, 'tag 1499');
+  assert.equal(memory.rows(1500)[0]!.uid, 'tag 1499');
 });
 
 const momentOf = (now: number, ...slots: Slot[]): Moment => {

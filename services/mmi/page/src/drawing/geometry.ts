@@ -1,6 +1,7 @@
 /** Geometry of what is drawn: ellipses of covariances, masks of patches, frames. */
 
 import {numberOf} from '../numbers.js';
+import type {CamerasScene, Point} from '../protocol.js';
 
 /** Half axes of 95% of a normal distribution in two dimensions, in sigmas. */
 export const kSigmas95In2D = 2.4477;
@@ -121,4 +122,23 @@ export function maskRuns(patch: Patch | null | undefined): [number, number, numb
 /** One path around all runs. */
 export function pathOfRuns(runs: [number, number, number, number][]): string {
   return runs.map(([u, v, length, height]) => `M${u} ${v}h${length}v${height}h${-length}z`).join('');
+}
+
+/** A camera's field of view in R: its lens, and its image's corners `depth` m ahead, left top first and clockwise. */
+export function frustumOf(
+  cameras: CamerasScene,
+  side: 'left' | 'right',
+  depth: number,
+): {lens: Point; corners: Point[]} {
+  const [x, y, z] = cameras.p_RC;
+  const lens: Point = [x, y - (side === 'left' ? 0 : cameras.baseline), z];
+  const cx_px = side === 'left' ? cameras.cx_left_px : cameras.cx_right_px;
+  // C's x is -R's y, and images have v downwards.
+  const corner = (u: number, v: number): Point => [
+    lens[0] + depth,
+    lens[1] - (depth * (u - cx_px)) / cameras.fx_px,
+    lens[2] - (depth * (v - cameras.cy_px)) / cameras.fy_px,
+  ];
+  const {width_px, height_px} = cameras;
+  return {lens, corners: [corner(0, 0), corner(width_px, 0), corner(width_px, height_px), corner(0, height_px)]};
 }

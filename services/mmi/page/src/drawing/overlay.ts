@@ -2,6 +2,8 @@ import {svg, nothing, type SVGTemplateResult} from 'lit';
 import type {BusMessage, MarkScene, PictureHeader} from '../protocol.js';
 import {areFinite, kNotANumber} from '../numbers.js';
 import {labelLevels} from './labels.js';
+import {matchesOf, type Match} from './matches.js';
+import type {Pixel} from './pixel_cross.js';
 import {maskRuns, pathOfRuns} from './geometry.js';
 
 export type Side = 'left' | 'right';
@@ -12,6 +14,9 @@ const kHalfPixel = 0.5;
 const kLabelHeight = 17;
 /** A match's line is its disparity, this many times shorter: whole ones would cover the picture. */
 const kTailShortened = 10;
+/** px of the image, where it is not enlarged: a ring around a match, and an arm of the cross that keys move. */
+const kRing_px = 7;
+const kCrossArm_px = 12;
 
 interface Overlay {
   header: PictureHeader;
@@ -27,11 +32,10 @@ export function drawOverlay(overlay: Overlay): SVGTemplateResult {
   const seen = ((header.detection?.marks ?? []) as BusMessage[]).filter((mark) => mark[side]?.seen);
   const placed = seen.filter(({[side]: view}) => areFinite([view.u, view.v, view.x, view.y, view.width, view.height]));
   const unplaced = seen.filter((mark) => !placed.includes(mark));
-  const matched = (header.matches?.marks ?? []) as BusMessage[];
   const levels = labelLevels(placed.map((mark) => ({x: mark[side].x, y: mark[side].y, letters: mark.name.length})));
   return svg`
     ${seen.map((mark) => drawMask(mark, overlay))}
-    ${matched.map((mark) => drawMatches(mark, overlay))}
+    ${matchesOf(header, side).map((match) => drawMatch(match, overlay))}
     ${placed.map((mark, index) => drawMark(mark, levels[index]!, overlay))}
     ${unplaced.map((mark, index) => svg`<g class="mark"><text x="4" y=${(index + 1) * kLabelHeight}>${mark.name}: ${kNotANumber}</text></g>`)}
   `;
@@ -69,20 +73,27 @@ function drawMark(mark: BusMessage, level: number, overlay: Overlay): SVGTemplat
   </g>`;
 }
 
-function drawMatches(mark: BusMessage, overlay: Overlay): SVGTemplateResult[] {
-  const us: number[] = mark[`u_${overlay.side}`] ?? [];
-  const vs: number[] = mark[`v_${overlay.side}`] ?? [];
-  const other_us: number[] = mark[overlay.side === 'left' ? 'u_right' : 'u_left'] ?? [];
-  const chosen = dimmed(mark.name, overlay);
-  return us.map((u, index) => {
-    const v = vs[index]!;
-    if (!areFinite([u, v])) return svg``;
-    const residual: number = mark.residual?.[index] ?? 0;
-    const worst = Math.min(1, Math.abs(residual));
-    const tail = ((other_us[index] ?? u) - u) / kTailShortened;
-    return svg`<g class="match ${chosen}" data-match=${mark.name} data-u=${u} data-v=${v} data-residual=${residual}>
-      <line x1=${u + kHalfPixel} y1=${v + kHalfPixel} x2=${u + kHalfPixel + tail} y2=${v + kHalfPixel}></line>
-      <circle class=${worst > 0.5 ? 'is-off' : ''} cx=${u + kHalfPixel} cy=${v + kHalfPixel} r=${1.2 + 1.8 * worst}></circle>
-    </g>`;
-  });
+function drawMatch({mark, u, v, disparity, residual}: Match, overlay: Overlay): SVGTemplateResult {
+  const worst = Math.min(1, Math.abs(residual));
+  // What is no number is drawn as what is far off.
+  const off = Number.isNaN(worst) ? 1 : worst;
+  const [x, y] = [u + kHalfPixel, v + kHalfPixel];
+  return svg`<g class="match ${dimmed(mark, overlay)}" data-match=${mark} data-u=${u} data-v=${v}
+      data-residual=${Number.isNaN(residual) ? '' : residual}>
+    <line x1=${x} y1=${y} x2=${x + disparity / kTailShortened} y2=${y}></line>
+    <circle class=${off > 0.5 ? 'is-off' : ''} cx=${x} cy=${y} r=${1.2 + 1.8 * off}></circle>
+  </g>`;
+}
+
+/** A match that is pointed at. */
+export function drawNear(match: Match, zoom: number): SVGTemplateResult {
+  return svg`<circle class="pointed near" cx=${match.u + kHalfPixel} cy=${match.v + kHalfPixel} r=${kRing_px / zoom}></circle>`;
+}
+
+/** Where keys point: the pixel itself is free, and framed. */
+export function drawCross({u, v}: Pixel, zoom: number): SVGTemplateResult {
+  const arm = kCrossArm_px / zoom;
+  const [x, y] = [u + kHalfPixel, v + kHalfPixel];
+  const path = `M${u} ${v}h1v1h-1zM${u} ${y}h${-arm}M${u + 1} ${y}h${arm}M${x} ${v}v${-arm}M${x} ${v + 1}v${arm}`;
+  return svg`<g class="pointed"><path class="halo" d=${path}></path><path class="key-cross" d=${path}></path></g>`;
 }

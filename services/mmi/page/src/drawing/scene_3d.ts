@@ -23,15 +23,17 @@ import {
   type Object3D,
 } from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
-import type {ArmPoints, Places, Point, Scene as RobotScene} from '../protocol.js';
-import {areFinite, finitePoint} from '../numbers.js';
+import type {ArmPoints, PlacedMark, Places, Point, Scene as RobotScene} from '../protocol.js';
+import {areFinite} from '../numbers.js';
 import {axesOf, kSigmas95In3D} from './geometry.js';
+import type {Goal3d} from './goals_3d.js';
 import {Materials} from './materials_3d.js';
 
 export interface Shown3d {
   scene: RobotScene | null;
   arm: ArmPoints | null;
   places: Places | null;
+  goals: Goal3d[];
   selected: string | null;
   colours: {ground: string; line: string; arm: string; commanded: string; muted: string};
 }
@@ -40,6 +42,9 @@ export interface Shown3d {
 const kFrustumDepth = 0.45;
 /** m, smallest half axis of an ellipsoid that can still be seen. */
 const kSmallestHalfAxis = 0.001;
+/** m, of a mark whose size is not told, and of how thick any is drawn. */
+const kMarkSize = 0.02;
+const kMarkThickness = 0.002;
 
 /** The scene in R: x forward, y left, z up. Drawn only when something has changed. */
 export class Scene3d {
@@ -80,7 +85,7 @@ export class Scene3d {
     const still_key = JSON.stringify([shown.scene?.cameras, shown.scene?.base, shown.colours]);
     // Without the times, which pass while nothing moves.
     const {arm, places} = shown;
-    const moving = [arm?.measured, arm?.commanded, places?.marks, places?.grip_goal_R];
+    const moving = [arm?.measured, arm?.commanded, places?.marks, shown.goals];
     const moving_key = JSON.stringify([moving, shown.scene?.marks, shown.selected, shown.colours]);
     if (still_key !== this.still_key) {
       this.still_key = still_key;
@@ -166,12 +171,11 @@ export class Scene3d {
       if (!mark.p_R || !areFinite(mark.p_R)) continue;
       const known = shown.scene?.marks.find((row) => row.name === mark.name);
       const selected = shown.selected === mark.name;
-      const size = known?.size ?? 0.02;
-      const square = new Mesh(new BoxGeometry(size, size, 0.002), this.materials.solid(known?.colour ?? '#888888'));
+      const size = known?.size ?? kMarkSize;
+      const box = new BoxGeometry(size, size, kMarkThickness);
+      const square = new Mesh(box, this.materials.solid(known?.colour ?? '#888888'));
       square.position.set(...mark.p_R);
-      if (mark.normal_R && Math.hypot(...mark.normal_R) > 0.5) {
-        square.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...mark.normal_R).normalize());
-      }
+      face(square, mark);
       square.userData['name'] = mark.name;
       if (selected) square.scale.setScalar(1.6);
       this.moving.add(square);
@@ -179,7 +183,7 @@ export class Scene3d {
         this.addEllipsoid(mark.p_R, mark.covariance_R, known?.colour ?? '#888888');
       }
     }
-    this.addGoal(finitePoint(shown.places?.grip_goal_R), shown.colours.commanded);
+    for (const goal of shown.goals) this.addGoal(goal, shown);
   }
 
   private addArm(points: Point[], colour: string, opacity: number, radius: number): void {
@@ -213,8 +217,25 @@ export class Scene3d {
     this.moving.add(ellipsoid);
   }
 
-  private addGoal(point: Point | null, colour: string): void {
-    if (!point) return;
+  /** The grip point's as a cross, the hand's as the outline of its mark, each with what is not known of it. */
+  private addGoal(goal: Goal3d, shown: Shown3d): void {
+    const colour = shown.colours.commanded;
+    if (goal.covariance_R) this.addEllipsoid(goal.p_R, goal.covariance_R, colour);
+    if (goal.mark) this.addOutline(goal.p_R, goal.mark, shown);
+    else this.addCross(goal.p_R, colour);
+  }
+
+  private addOutline(point: Point, mark: PlacedMark, shown: Shown3d): void {
+    const size = shown.scene?.marks.find((row) => row.name === mark.name)?.size ?? kMarkSize;
+    const box = new BoxGeometry(size, size, kMarkThickness);
+    const outline = new LineSegments(new EdgesGeometry(box), this.materials.line(shown.colours.commanded));
+    box.dispose();
+    outline.position.set(...point);
+    face(outline, mark);
+    this.moving.add(outline);
+  }
+
+  private addCross(point: Point, colour: string): void {
     const ends: Vector3[] = [];
     for (const direction of [
       [1, 0, 0],
@@ -238,6 +259,12 @@ export class Scene3d {
     const hit = ray.intersectObjects(this.moving.children).find((found) => found.object.userData['name']);
     if (hit) select(hit.object.userData['name'] as string);
   }
+}
+
+/** Turns a mark's drawing as the mark lies. */
+function face(object: Object3D, mark: PlacedMark): void {
+  if (!mark.normal_R || !(Math.hypot(...mark.normal_R) > 0.5)) return;
+  object.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...mark.normal_R).normalize());
 }
 
 function lines(ends: Vector3[], material: Material): LineSegments {

@@ -3,12 +3,13 @@ import {readAddress, writeAddress} from '../address.js';
 import {icon, type IconName} from '../drawing/icons.js';
 import {keyOf, typesText} from '../keys.js';
 import {microseconds} from '../format.js';
-import {connection, showPastPicture, store} from '../session.js';
+import {pastWords} from '../past_words.js';
+import {connection, store} from '../session.js';
 import {StoreElement} from './store_element.js';
 import './status_line.js';
 import './stop_panel.js';
 import './time_bar.js';
-import {goToEvent, playOrPause, showNewest, step} from '../transport.js';
+import {goToAddressed, goToEvent, playOrPause, showNewest, step} from '../transport.js';
 import '../views/grasp_view.js';
 import '../views/drive_view.js';
 import '../views/health_view.js';
@@ -27,6 +28,7 @@ export class App extends StoreElement {
   private view = 'grasp';
   private theme: (typeof kThemes)[number] = 'auto';
   private address_at: string | null = null;
+  private token: string | null = null;
   private written: string | null = null;
 
   constructor() {
@@ -37,6 +39,7 @@ export class App extends StoreElement {
     this.view = kViews.some((view) => view.id === address.view) ? address.view : 'grasp';
     store.selected = address.selected;
     this.address_at = address.at;
+    this.token = address.token;
     const theme = localStorage.getItem('theme');
     if (theme === 'light' || theme === 'dark') this.theme = theme;
     document.documentElement.dataset['theme'] = this.theme;
@@ -57,6 +60,7 @@ export class App extends StoreElement {
   protected override render(): TemplateResult {
     const log = store.hello?.log;
     const troubles = store.moment.part('troubles')?.length ?? 0;
+    const past = pastWords(store);
     return html`
       ${
         store.is_log
@@ -94,7 +98,7 @@ export class App extends StoreElement {
           </button>
         </nav>
         <main>
-          ${store.paused_at === null ? '' : html`<p class="past-label">PAST · key L for live</p>`}
+          ${past === null ? '' : html`<p class="past-label" role="status">${past}</p>`}
           <div id="view" role="tabpanel" aria-labelledby="tab-${this.view}">${this.renderView()}</div>
         </main>
       </div>
@@ -111,8 +115,7 @@ export class App extends StoreElement {
     if (hello && this.address_at !== null) {
       const at = this.address_at;
       this.address_at = null;
-      if (store.is_log) connection.send({type: 'seek', utime: at});
-      else this.pauseAt(microseconds(at));
+      goToAddressed(microseconds(at));
     }
     this.writeAddress();
   }
@@ -128,11 +131,6 @@ export class App extends StoreElement {
       default:
         return html`<mmi-grasp-view data-view="grasp"></mmi-grasp-view>`;
     }
-  }
-
-  private pauseAt(at: number): void {
-    store.pauseAt(at);
-    showPastPicture(at);
   }
 
   private show(view: string): void {
@@ -151,7 +149,7 @@ export class App extends StoreElement {
       view: this.view,
       selected: store.selected,
       at: this.address_at ?? (paused === null ? null : String(paused)),
-      token: readAddress(location.hash).token,
+      token: this.token,
     });
     if (hash !== location.hash) history.replaceState(null, '', hash);
     this.written = location.hash;
@@ -162,10 +160,13 @@ export class App extends StoreElement {
     const address = readAddress(location.hash);
     if (kViews.some((view) => view.id === address.view)) this.view = address.view;
     store.selected = address.selected;
-    if (address.at !== null && store.hello) {
-      if (store.is_log) connection.send({type: 'seek', utime: address.at});
-      else this.pauseAt(microseconds(address.at));
+    // An address without a token leaves us the one that we have.
+    if (address.token !== null) {
+      this.token = address.token;
+      connection.useToken(address.token);
     }
+    if (address.at !== null && store.hello) goToAddressed(microseconds(address.at));
+    else if (address.at !== null) this.address_at = address.at;
     store.tell('choice');
   };
 

@@ -1,5 +1,5 @@
 import {html, svg, nothing, type SVGTemplateResult, type TemplateResult} from 'lit';
-import {ellipseOf, kSigmas95In2D} from '../drawing/geometry.js';
+import {ellipseOf, frustumOf, kSigmas95In2D} from '../drawing/geometry.js';
 import type {Covariance6, Point} from '../protocol.js';
 import {millimetres} from '../format.js';
 import {areFinite, finitePoint} from '../numbers.js';
@@ -33,6 +33,8 @@ const kTop: Plane = {
 const kPixelsPerMetre = 200;
 /** m ahead of the robot. */
 const kFurthest = 2;
+/** m, how far the cameras' fields of view are drawn. */
+const kFrustumDepth = 0.45;
 const kJoints = ['foot', 'shoulder', 'elbow', 'grip_point'];
 const kIndices = {xx: 0, xy: 1, xz: 2, yy: 3, yz: 4, zz: 5};
 
@@ -42,7 +44,7 @@ export class ArmSides extends StoreElement {
     return html`<div class="sides">${this.renderPlane(kSide)}${this.renderPlane(kTop)}</div>
       <p class="legend">
         <span class="key is-measured">━ measured</span> <span class="key is-commanded">┅ commanded</span>
-        <span class="key">◎ goals</span> ${this.renderMarkButtons()}
+        <span class="key">◎ goals</span> <span class="key">▷ cameras' views</span> ${this.renderMarkButtons()}
       </p>`;
   }
 
@@ -107,14 +109,14 @@ export class ArmSides extends StoreElement {
   private renderCameras(at: (point: Point) => [number, number]): SVGTemplateResult | typeof nothing {
     const cameras = store.hello?.scene.cameras;
     if (!cameras) return nothing;
-    const [x, y, z] = cameras.p_RC;
-    const lenses: Point[] = [
-      [x, y, z],
-      [x, y - cameras.baseline, z],
-    ];
-    return svg`${lenses.map((lens) => {
+    return svg`${(['left', 'right'] as const).map((side) => {
+      const {lens, corners} = frustumOf(cameras, side, kFrustumDepth);
+      if (![lens, ...corners].every(areFinite)) return nothing;
       const [u, v] = at(lens);
-      return svg`<rect class="lens" x=${u - 5} y=${v - 3} width="7" height="6"></rect>`;
+      const path = corners.map((corner) => `M${u} ${v}L${at(corner).join(' ')}`).join('');
+      const far = corners.map((corner) => at(corner).join(' ')).join('L');
+      return svg`<path class="frustum" d="${path}M${far}Z"><title>what the ${side} camera sees</title></path>
+        <rect class="lens" x=${u - 5} y=${v - 3} width="7" height="6"></rect>`;
     })}`;
   }
 

@@ -1,12 +1,17 @@
 import {html, nothing, type PropertyValues, type TemplateResult} from 'lit';
-import {drawOverlay, type Side} from '../drawing/overlay.js';
+import {matchesOf, matchWords, nearestMatch, nextMatch, residualWords} from '../drawing/matches.js';
+import {drawCross, drawNear, drawOverlay, type Side} from '../drawing/overlay.js';
+import {middleOf, moved, panTo, type Lie, type Pixel} from '../drawing/pixel_cross.js';
 import {span, microseconds} from '../format.js';
 import {store, viewPictures} from '../session.js';
 import {StoreElement} from './store_element.js';
 
 const kZoomAtMost = 24;
 const kZoomStep = 1.25;
-const kPanStep_px = 40;
+const kKeyWords =
+  "Arrows move a cross that tells a pixel's colour, with Shift by 10 px; M goes to the next match; + and - enlarge";
+/** px of the screen: a match so near is pointed at. */
+const kNear_px = 6;
 
 /** One image of the pair, and over it what was found in that very frame. */
 export class CameraImage extends StoreElement {
@@ -14,7 +19,12 @@ export class CameraImage extends StoreElement {
   declare side: Side;
   private zoom = 1;
   private pan: [number, number] = [0, 0];
-  private under: {u: number; v: number; colour: string} | null = null;
+  /** What the pointer or, while it is elsewhere, the cross of the keys is on. */
+  private pointed: Pixel | null = null;
+  private cross: Pixel | null = null;
+  private colour = '';
+  /** For screen readers: what keys led to. Not what each picture changes. */
+  private spoken = '';
   private drawn: ImageBitmap | null = null;
   private drag: {x: number; y: number; moved: boolean} | null = null;
 
@@ -39,6 +49,7 @@ export class CameraImage extends StoreElement {
     const header = store.picture?.header;
     const width = header?.width ?? store.hello?.scene.cameras?.width_px ?? 640;
     const height = header?.height ?? store.hello?.scene.cameras?.height_px ?? 480;
+    const residuals = this.residualLine();
     return html`
       <div
         class="image-frame"
@@ -48,9 +59,10 @@ export class CameraImage extends StoreElement {
         @pointerup=${this.onUp}
         @pointerleave=${this.onLeave}
         @keydown=${this.onKey}
+        @blur=${this.onBlur}
         tabindex="0"
-        role="group"
-        aria-label="${this.side} image, arrows move it when it is enlarged"
+        role="application"
+        aria-label="${this.side} image. ${kKeyWords}"
         data-side=${this.side}
         data-frame-seq=${header?.frame_seq ?? ''}
         data-frame-session=${header?.frame_session ?? ''}
@@ -71,12 +83,16 @@ export class CameraImage extends StoreElement {
                   })
                 : nothing
             }
+            ${this.renderPointed()}
           </svg>
         </div>
         ${header ? nothing : html`<p class="empty">No picture</p>`}
       </div>
       <div class="image-foot">
-        <span class="muted">${this.footWords()}</span>
+        <span class="muted image-words"
+          ><span>${this.footWords()}</span><span title=${residuals}>${residuals}</span></span
+        >
+        <span class="visually-hidden" role="status">${this.spoken}</span>
         <span class="zoom" role="group" aria-label="Zoom of the ${this.side} image">
           <button @click=${() => this.zoomBy(1 / kZoomStep)} aria-label="Smaller" title="Smaller">−</button>
           <button @click=${this.reset} title="Whole picture" aria-label="Whole picture">
@@ -94,9 +110,11 @@ export class CameraImage extends StoreElement {
     if (bitmap && bitmap !== this.drawn) {
       canvas.getContext('2d', {willReadFrequently: false})?.drawImage(bitmap, 0, 0);
       this.drawn = bitmap;
+      this.readColour();
     } else if (!bitmap && this.drawn) {
       canvas.getContext('2d')?.clearRect(0, 0, canvas.width, canvas.height);
       this.drawn = null;
+      this.readColour();
     }
     const stage = this.querySelector<HTMLElement>('.stage')!;
     stage.style.setProperty('--aspect', String(canvas.width / canvas.height));
@@ -106,7 +124,8 @@ export class CameraImage extends StoreElement {
   }
 
   private footWords(): string {
-    if (this.under) return `u ${this.under.u} v ${this.under.v} px · ${this.under.colour}`;
+    const at = this.at();
+    if (at) return `u ${at.u} v ${at.v} px · ${this.colour}`;
     const header = store.picture?.header;
     if (!header) return this.side;
     const latency = store.moment.part('latency')?.['TARGET_POSE'];
@@ -118,6 +137,44 @@ export class CameraImage extends StoreElement {
           ? `to pose ${span(latency)}`
           : `${span(Math.max(0, age))} old`;
     return `${this.side} · ${ends}`;
+  }
+
+  private at(): Pixel | null {
+    return this.pointed ?? this.cross;
+  }
+
+  private nearMatch(): ReturnType<typeof nearestMatch> {
+    const at = this.at();
+    const header = store.picture?.header;
+    if (!at || !header) return null;
+    const shown_px = this.querySelector<HTMLElement>('.stage')?.offsetWidth || header.width;
+    const within_px = (kNear_px * header.width) / (shown_px * this.zoom);
+    // Sharper than a pixel it cannot be pointed.
+    return nearestMatch(matchesOf(header, this.side), at.u, at.v, Math.max(1, within_px));
+  }
+
+  private residualLine(): string {
+    const near = this.nearMatch();
+    return near ? matchWords(near) : residualWords(matchesOf(store.picture?.header, this.side));
+  }
+
+  private renderPointed(): unknown {
+    const near = this.nearMatch();
+    return [near ? drawNear(near, this.zoom) : nothing, this.cross ? drawCross(this.cross, this.zoom) : nothing];
+  }
+
+  private lie(): Lie {
+    const stage = this.querySelector<HTMLElement>('.stage')!;
+    const canvas = this.querySelector('canvas')!;
+    const frame = stage.parentElement!;
+    return {
+      frame: [frame.clientWidth, frame.clientHeight],
+      corner: [stage.offsetLeft, stage.offsetTop],
+      size: [stage.offsetWidth, stage.offsetHeight],
+      picture: [canvas.width, canvas.height],
+      zoom: this.zoom,
+      pan: this.pan,
+    };
   }
 
   private zoomBy(factor: number, at: [number, number] | null = null): void {
@@ -149,12 +206,37 @@ export class CameraImage extends StoreElement {
   };
 
   private readonly onKey = (event: KeyboardEvent): void => {
-    const by = {ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
-    if (by && this.zoom > 1) this.pan = [this.pan[0] + kPanStep_px * by[0]!, this.pan[1] + kPanStep_px * by[1]!];
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const lie = this.lie();
+    const from = this.cross ?? middleOf(lie);
+    const to = moved(from, event.key, event.shiftKey, lie.picture) ?? this.matchFrom(from, event);
+    if (to) this.moveCross(to);
     else if (event.key === '+') this.zoomBy(kZoomStep);
     else if (event.key === '-') this.zoomBy(1 / kZoomStep);
     else return;
+    if (this.cross && this.zoom > 1) this.pan = panTo(this.cross, this.lie());
     event.preventDefault();
+    this.requestUpdate();
+  };
+
+  /** M goes to the next match, with Shift to the one before. */
+  private matchFrom(from: Pixel, event: KeyboardEvent): Pixel | null {
+    if (event.key.toLowerCase() !== 'm') return null;
+    const match = nextMatch(matchesOf(store.picture?.header, this.side), from.u, from.v, event.shiftKey ? -1 : 1);
+    return match && {u: Math.round(match.u), v: Math.round(match.v)};
+  }
+
+  private moveCross(to: Pixel): void {
+    this.pointed = null;
+    this.cross = to;
+    this.readColour();
+    const near = this.nearMatch();
+    this.spoken = this.footWords() + (near ? `, ${matchWords(near)}` : '');
+  }
+
+  private readonly onBlur = (): void => {
+    this.cross = null;
+    this.spoken = '';
     this.requestUpdate();
   };
 
@@ -168,7 +250,7 @@ export class CameraImage extends StoreElement {
       if (Math.hypot(pan[0] - this.pan[0], pan[1] - this.pan[1]) > 2) this.drag.moved = true;
       this.pan = pan;
     }
-    this.readPixel(event);
+    this.point(event);
     this.requestUpdate();
   };
 
@@ -177,21 +259,28 @@ export class CameraImage extends StoreElement {
   };
 
   private readonly onLeave = (): void => {
-    this.under = null;
+    this.pointed = null;
+    this.readColour();
     this.requestUpdate();
   };
 
-  private readPixel(event: PointerEvent): void {
+  private point(event: PointerEvent): void {
     const canvas = this.querySelector('canvas')!;
     const box = canvas.getBoundingClientRect();
     const u = Math.floor(((event.clientX - box.left) / box.width) * canvas.width);
     const v = Math.floor(((event.clientY - box.top) / box.height) * canvas.height);
-    if (u < 0 || v < 0 || u >= canvas.width || v >= canvas.height) {
-      this.under = null;
-      return;
-    }
-    const [r, g, b] = canvas.getContext('2d')!.getImageData(u, v, 1, 1).data;
-    this.under = {u, v, colour: `rgb ${r} ${g} ${b}`};
+    this.pointed = u < 0 || v < 0 || u >= canvas.width || v >= canvas.height ? null : {u, v};
+    this.readColour();
+  }
+
+  private readColour(): void {
+    const at = this.at();
+    if (!at) return;
+    const [r, g, b] = this.querySelector('canvas')!.getContext('2d')!.getImageData(at.u, at.v, 1, 1).data;
+    const colour = this.drawn ? `rgb ${r} ${g} ${b}` : 'no picture';
+    if (colour === this.colour) return;
+    this.colour = colour;
+    this.requestUpdate();
   }
 }
 customElements.define('mmi-image', CameraImage);

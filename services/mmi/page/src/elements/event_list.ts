@@ -1,17 +1,18 @@
-import {html, type TemplateResult} from 'lit';
+import {html, nothing, type TemplateResult} from 'lit';
 import {repeat} from 'lit/directives/repeat.js';
+import {kRowsAtATime, rowsOf, wordsOf, type EventRows} from '../event_rows.js';
 import {clock, microseconds} from '../format.js';
 import type {RobotEvent} from '../protocol.js';
 import {store} from '../session.js';
 import {goTo} from '../transport.js';
 import {kLevelSymbols} from '../words.js';
+import './choice.js';
 import {StoreElement} from './store_element.js';
-
-const kRowsAtMost = 1000;
 
 /** Changes of state, the newest on top; a click goes to its time. */
 export class EventList extends StoreElement {
   private only = '';
+  private at_most = kRowsAtATime;
   private followed: string | null = null;
 
   constructor() {
@@ -21,25 +22,28 @@ export class EventList extends StoreElement {
   }
 
   protected override render(): TemplateResult {
-    const all = store.is_log ? store.events : store.events_shown;
-    const current = store.events_shown[store.events_shown.length - 1]?.number ?? null;
+    const chosen = (events: RobotEvent[]): RobotEvent[] =>
+      this.only ? events.filter((event) => event.kind === this.only) : events;
+    const until_now = chosen(store.events_shown);
+    const current = until_now[until_now.length - 1]?.number ?? null;
     const kinds = [...new Set(store.events.map((event) => event.kind))].sort();
-    const rows = all
-      .filter((event) => !this.only || event.kind === this.only)
-      .slice(-kRowsAtMost)
-      .reverse();
-    return html` <select class="kinds" aria-label="Kind of events" @change=${this.onKind}>
-        <option value="">all kinds</option>
-        ${kinds.map((kind) => html`<option value=${kind} .selected=${kind === this.only}>${kind}</option>`)}
-      </select>
+    const shown = rowsOf(store.is_log ? chosen(store.events) : until_now, this.at_most, current);
+    return html` <mmi-choice
+        class="kinds"
+        label="Kind of events"
+        .offers=${['', ...kinds].map((kind) => ({value: kind, words: kind || 'all kinds'}))}
+        .chosen=${this.only}
+        .choose=${this.onKind}
+      ></mmi-choice>
       <ol
         class="events scroll"
         tabindex="0"
         aria-label="Events, newest first; arrows go from one to the next"
         @keydown=${this.onArrow}
       >
+        ${this.renderLeftOut(shown)}
         ${repeat(
-          rows,
+          shown.rows,
           (event) => event.number,
           (event) => this.renderRow(event, store.is_log && event.number === current),
         )}
@@ -53,6 +57,22 @@ export class EventList extends StoreElement {
     this.followed = number;
     const list = this.querySelector('.events')!;
     if (current) list.scrollTop = current.offsetTop - list.clientHeight / 2;
+  }
+
+  /** On top, where it is seen at once. */
+  private renderLeftOut(shown: EventRows): TemplateResult | typeof nothing {
+    const words = wordsOf(shown, store.events_forgotten);
+    if (words === '') return nothing;
+    const more = shown.later > 0 ? 'show more' : 'show earlier';
+    return html`<li>
+      ${
+        shown.earlier + shown.later > 0
+          ? html`<button tabindex="-1" @click=${this.onMore}>
+              <span></span><span>${more}</span><span class="muted">${words}</span>
+            </button>`
+          : html`<span class="muted">${words}</span>`
+      }
+    </li>`;
   }
 
   private renderRow(event: RobotEvent, current: boolean): TemplateResult {
@@ -78,8 +98,14 @@ export class EventList extends StoreElement {
     rows[Math.min(rows.length - 1, Math.max(0, index + by))]?.focus();
   };
 
-  private readonly onKind = (event: Event): void => {
-    this.only = (event.target as HTMLSelectElement).value;
+  private readonly onMore = (): void => {
+    this.at_most += kRowsAtATime;
+    this.requestUpdate();
+  };
+
+  private readonly onKind = (kind: string): void => {
+    this.only = kind;
+    this.at_most = kRowsAtATime;
     this.requestUpdate();
   };
 }

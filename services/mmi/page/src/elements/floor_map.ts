@@ -10,7 +10,7 @@ import {
   tagStates,
   type TagState,
 } from '../drawing/floor_map.js';
-import {GoalAnchor} from '../goal_anchor.js';
+import {drawDirection} from '../drawing/paper_direction.js';
 import {degrees, metres} from '../format.js';
 import {areFinite, finitePose, kNotANumber} from '../numbers.js';
 import type {SonarEchoMessage} from '../protocol.js';
@@ -32,7 +32,6 @@ export class FloorMap extends StoreElement {
   private zoom = 1;
   private shift: [number, number] = [0, 0];
   private drag: {x: number; y: number} | null = null;
-  private readonly anchor = new GoalAnchor();
   private readonly resizing = new ResizeObserver((entries) => this.onSize(entries));
 
   override disconnectedCallback(): void {
@@ -89,6 +88,11 @@ export class FloorMap extends StoreElement {
       </div>
       <div class="image-foot">
         <span class="legend">
+          ${
+            store.goals.isUnplaced(store.moment.message('BASE_GOAL'))
+              ? html`<span>▲ goal given in the robot's frame, its place is not known here</span>`
+              : nothing
+          }
           ${message?.pose && !robot ? html`<span>▲ pose ${kNotANumber}</span>` : nothing}
           <span>● read</span><span>✕ missed</span><span>○ expected</span><span>◆ not expected</span
           ><span>· other tag</span>
@@ -150,7 +154,7 @@ export class FloorMap extends StoreElement {
   private renderPoses(scale: FloorScale, robot: Pose | null): SVGTemplateResult {
     const message = store.moment.message('ROBOT_POSE');
     const truth = finitePose(store.moment.message('SIM_BASE_TRUTH')?.pose);
-    const goal = this.anchor.goal(store.moment.message('BASE_GOAL'), robot);
+    const goal = store.goals.goal(store.moment.message('BASE_GOAL'));
     const paper = message?.paper;
     const heading: number = paper?.direction_known ? paper.direction : (robot?.heading ?? 0);
     const raw = finitePose(paper?.measured_known ? {x: paper.measured_x, y: paper.measured_y, heading} : null);
@@ -163,7 +167,8 @@ export class FloorMap extends StoreElement {
       ${robot ? this.renderOutlined(scale, 'fused', robot) : nothing}
       ${robot && message.covariance ? this.renderEllipse(scale, robot, message.covariance) : nothing}
       ${raw ? this.renderPoint(scale, 'raw', raw) : nothing}
-      ${compensated ? this.renderPoint(scale, 'compensated', compensated) : nothing}`;
+      ${compensated ? this.renderPoint(scale, 'compensated', compensated) : nothing}
+      ${drawDirection(scale, paper)}`;
   }
 
   private renderOutlined(scale: FloorScale, name: PoseName, pose: Pose): SVGTemplateResult {

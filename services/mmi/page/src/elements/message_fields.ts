@@ -4,6 +4,7 @@ import {isPlottable, leaves, type Leaf} from '../leaves.js';
 import {addCurve, hasCurve} from '../curves.js';
 import {store} from '../session.js';
 import {stateName} from '../words.js';
+import './choice.js';
 import {StoreElement} from './store_element.js';
 
 const kFieldsAtMost = 300;
@@ -31,12 +32,12 @@ export class MessageFields extends StoreElement {
         <b>${this.channel}</b> at ${clock(slot.at)}
         ${
           slots.length > 1
-            ? html`<select aria-label="Which of ${this.channel}" @change=${this.onKey}>
-                ${slots.map(
-                  (one) =>
-                    html`<option value=${one.key} .selected=${one.key === slot.key}>${one.key || '(one)'}</option>`,
-                )}
-              </select>`
+            ? html`<mmi-choice
+                label="Which of ${this.channel}"
+                .offers=${slots.map(({key}) => ({value: key, words: key || '(one)'}))}
+                .chosen=${slot.key}
+                .choose=${this.onKey}
+              ></mmi-choice>`
             : slot.key
         }
       </p>
@@ -78,8 +79,8 @@ export class MessageFields extends StoreElement {
     </tr>`;
   }
 
-  private readonly onKey = (event: Event): void => {
-    this.key = (event.target as HTMLSelectElement).value;
+  private readonly onKey = (key: string): void => {
+    this.key = key;
     this.requestUpdate();
   };
 }

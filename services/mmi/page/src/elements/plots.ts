@@ -2,7 +2,7 @@ import {html, type TemplateResult} from 'lit';
 import uPlot from 'uplot';
 import {addCurve, curves, idOf, nameOf, valueOf, type Curve} from '../curves.js';
 import {csvOf} from '../csv.js';
-import {saveFile} from '../save.js';
+import {saveFile, savePng} from '../save.js';
 import {clock, plain, span, unitOfField} from '../format.js';
 import {lookAt} from '../look.js';
 import type {Slot} from '../protocol.js';
@@ -58,7 +58,7 @@ export class Plots extends StoreElement {
         <button class="whole" @click=${this.wholeTime} ?disabled=${this.zoom === null}>whole time</button>
         <button @click=${this.setReference} title="Differences are taken from here">set second cursor</button>
         <button @click=${() => store.setReference(null)} ?disabled=${store.reference === null}>clear it</button>
-        <button @click=${this.saveCsv}>CSV</button><button @click=${this.savePng}>PNG</button>
+        <button @click=${this.saveCsv}>CSV</button><button @click=${this.savePlot}>PNG</button>
         <span class="muted">point for values, click to go there, drag to zoom</span>
       </div>
       <div class="plot" role="img" aria-label="Curves over time"></div>
@@ -308,10 +308,10 @@ export class Plots extends StoreElement {
     }
   };
 
-  private readonly savePng = (): void => {
-    this.plot?.ctx.canvas.toBlob((blob) => {
-      if (blob) saveFile('plot.png', blob);
-    });
+  private readonly savePlot = (): void => {
+    if (!this.plot) return;
+    const ground = getComputedStyle(document.documentElement).getPropertyValue('--panel').trim();
+    savePng('plot.png', this.plot.ctx.canvas, ground);
   };
 }
 customElements.define('mmi-plots', Plots);

@@ -1,6 +1,7 @@
 import {html, type TemplateResult} from 'lit';
 import {store} from '../session.js';
 import {StoreElement} from './store_element.js';
+import {goalsOf} from '../drawing/goals_3d.js';
 import {Scene3d} from '../drawing/scene_3d.js';
 
 /** The robot's space, to be turned with the mouse; without WebGL the views from the side and above remain. */
@@ -27,7 +28,7 @@ export class SceneElement extends StoreElement {
       ${
         this.failed
           ? html`<p class="empty">No WebGL here (${this.failed}). “Side and top” shows the same.</p>`
-          : html`<canvas tabindex="0" role="img" aria-label="Arm, cameras, marks and goals in space"></canvas>`
+          : html`<canvas tabindex="0" role="img" aria-label="Arm, cameras, marks, the grip point's goal (cross) and the hand's (outline) in space"></canvas>`
       }
     </div>`;
   }
@@ -47,10 +48,13 @@ export class SceneElement extends StoreElement {
       this.resizing.observe(this.querySelector('.scene-3d')!);
     }
     const style = getComputedStyle(document.documentElement);
+    const moment = store.moment;
+    const places = moment.part('places');
     this.scene.show({
       scene: store.hello?.scene ?? null,
-      arm: store.moment.part('arm'),
-      places: store.moment.part('places'),
+      arm: moment.part('arm'),
+      places,
+      goals: goalsOf(places, moment.message('SERVO_GOAL'), moment.message('SERVO_STATUS')),
       selected: store.selected,
       colours: {
         ground: style.getPropertyValue('--panel').trim(),

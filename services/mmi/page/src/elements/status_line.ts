@@ -4,24 +4,33 @@ import {microseconds, span} from '../format.js';
 import type {Trouble} from '../protocol.js';
 import {store} from '../session.js';
 import {phaseOf, phaseWord, recordingWords} from '../words.js';
+import {shortened, withSubject} from '../status_text.js';
 import {sinceOf} from '../task_time.js';
 import {StoreElement} from './store_element.js';
 
 /** Phases in which the robot has given its task up: no trouble of its own, and not well either. */
 const kHalted = new Set(['REFUSED', 'FAILED', 'STOPPED']);
 const kSymbols = {good: '✓', halted: '▲', unheard: '…'};
-/** px: what Stop and its devices take of the page's width, and a letter of 28 px on average. */
-const kBesideStop_px = 400;
-const kLetter_px = 15.5;
+/** Lines of 28 px that the header has room for. */
+const kLinesAtMost = 3;
 
-/** In three lines of 28 px beside Stop. */
-function lettersThatFit(): number {
-  return (3 * (innerWidth - kBesideStop_px)) / kLetter_px;
+/** What stands beside the symbol: the explanation, of which as much as fits, and what mends it, whole. */
+interface Said {
+  subject: string;
+  text: string;
+  remedy: string;
+  /** What goes on counting behind the text. */
+  lost_for: string;
 }
 
 /** What the robot does, what is worst, what mends it: of the present, even while the views show the past. */
 export class StatusLine extends StoreElement {
   private ticking: number | undefined;
+  private readonly resizing = new ResizeObserver(() => this.onSize());
+  private said: Said = {subject: '', text: '', remedy: '', lost_for: ''};
+  /** What of the text fits, and of what and in which width. */
+  private fitted = {of: '', text: ''};
+  private width_px = 0;
 
   constructor() {
     super();
@@ -37,15 +46,36 @@ export class StatusLine extends StoreElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     clearInterval(this.ticking);
+    this.resizing.disconnect();
+  }
+
+  protected override firstUpdated(): void {
+    this.resizing.observe(this);
+  }
+
+  /** Before the browser paints: cuts what has no room. */
+  protected override updated(): void {
+    const of = this.fittingKey();
+    if (this.fitted.of === of) return;
+    this.fitted = {of, text: this.fit()};
+    if (this.fitted.text !== this.said.text) this.requestUpdate();
   }
 
   protected override render(): TemplateResult {
     const trouble = this.worst();
     const phase = phaseOf(store.hello, store.moment_live);
     const calm = phase === null ? 'unheard' : kHalted.has(phase) ? 'halted' : 'good';
+    this.said = trouble
+      ? {
+          subject: trouble.subject,
+          text: withSubject(trouble.text, trouble.subject),
+          remedy: trouble.remedy,
+          lost_for: trouble.code === 'mmi_lost' && store.life_why === '' ? this.lostFor() : '',
+        }
+      : {subject: '', text: this.calmWords(phase), remedy: '', lost_for: ''};
     return html`
       <div class="status-facts">
-        <span class="does">${this.renderTask(phase, trouble !== null)}</span>
+        ${this.renderTask(phase, trouble !== null)}
         <span class="facts">${this.renderPicture()}${this.renderRecording()}</span>
       </div>
       <div
@@ -56,18 +86,49 @@ export class StatusLine extends StoreElement {
         data-subject=${trouble?.subject ?? ''}
       >
         <span class="trouble-symbol" aria-hidden="true">${trouble ? '✖' : kSymbols[calm]}</span>
-        ${trouble ? this.renderTrouble(trouble) : html`<span class="trouble-text">${this.calmWords(phase)}</span>`}
+        ${this.renderSaid(trouble !== null)}
       </div>
     `;
   }
 
-  private renderTrouble(trouble: Trouble): TemplateResult {
-    const lost_for = trouble.code === 'mmi_lost' && store.life_why === '' ? this.lostFor() : '';
-    const is_long = trouble.text.length + trouble.remedy.length > lettersThatFit();
-    return html`<span class="trouble-text ${is_long ? 'is-long' : ''}"
-      ><b>${trouble.text}</b>${lost_for ? html` <span aria-hidden="true">${lost_for}</span>` : nothing}
-      ${trouble.remedy ? html`<span class="remedy">${trouble.remedy}</span>` : nothing}</span
-    >`;
+  /** What is cut can be read whole by pointing at it, and is what a screen reader says. */
+  private renderSaid(is_trouble: boolean): TemplateResult {
+    const {text, remedy, lost_for} = this.said;
+    const shown = this.fitted.of === this.fittingKey() ? this.fitted.text : text;
+    const whole = remedy ? `${text} → ${remedy}` : text;
+    const is_cut = shown !== text;
+    const said = is_trouble ? html`<b class="said">${shown}</b>` : html`<span class="said">${shown}</span>`;
+    return html`<span class="trouble-text" title=${whole} aria-hidden=${is_cut ? 'true' : 'false'}
+        >${said}${lost_for ? html` <span aria-hidden="true">${lost_for}</span>` : nothing}
+        ${remedy ? html`<span class="remedy">${remedy}</span>` : nothing}</span
+      >${is_cut ? html`<span class="visually-hidden">${whole}</span>` : nothing}`;
+  }
+
+  private onSize(): void {
+    this.width_px = this.clientWidth;
+    this.requestUpdate();
+  }
+
+  private fittingKey(): string {
+    const {subject, text, remedy, lost_for} = this.said;
+    return [subject, text, remedy, lost_for.length, this.width_px].join('\n');
+  }
+
+  /** As much of the text as stands in the lines with all of the remedy, as the browser breaks them. */
+  private fit(): string {
+    const shown = this.querySelector<HTMLElement>('.trouble-text')!;
+    const trial = shown.cloneNode(true) as HTMLElement;
+    trial.classList.add('is-trial');
+    trial.style.setProperty('width', `${shown.getBoundingClientRect().width}px`);
+    shown.parentElement!.after(trial);
+    const said = trial.querySelector('.said')!;
+    const height_at_most = kLinesAtMost * parseFloat(getComputedStyle(trial).lineHeight) + 1;
+    const text = shortened(this.said.text, this.said.subject, (shorter) => {
+      said.textContent = shorter;
+      return trial.getBoundingClientRect().height <= height_at_most;
+    });
+    trial.remove();
+    return text;
   }
 
   private worst(): Trouble | null {
@@ -85,9 +146,9 @@ export class StatusLine extends StoreElement {
       subject: 'mmi',
       since_utime: 0,
       text: refused
-        ? 'This page has no token; Stop works without.'
+        ? 'mmi wants a token that this page has not; Stop works without.'
         : never && seconds < 2
-          ? 'Connecting to the robot.'
+          ? 'Connecting to mmi.'
           : `No connection to mmi${store.life_why ? `: ${store.life_why}` : '.'}`,
       remedy: refused
         ? 'Open the address that scripts/page prints.'
@@ -108,7 +169,7 @@ export class StatusLine extends StoreElement {
 
   /** With trouble below, the reason that would stand there stands here. */
   private renderTask(phase: string | null, with_reason: boolean): TemplateResult {
-    if (phase === null) return html`<b>${store.hello ? 'No task heard of' : '–'}</b>`;
+    if (phase === null) return html`<span class="does"><b>${store.hello ? 'No task heard of' : '–'}</b></span>`;
     const lost = store.life !== 'open';
     const task = store.moment_live.message('TASK_STATE');
     const since = sinceOf(store.events_until_now, phase);
@@ -119,8 +180,11 @@ export class StatusLine extends StoreElement {
       seconds !== null && seconds >= 0 && !lost ? span(seconds) : '',
       with_reason ? task.reason : '',
     ];
-    return html`${lost ? html`<span class="details">last heard: </span>` : nothing}<b>${phase}</b>
-      <span class="details">${details.filter(Boolean).join(' · ')}</span>`;
+    const words = details.filter(Boolean).join(' · ');
+    return html`<span class="does" title="${phase} ${words}"
+      >${lost ? html`<span class="details">last heard: </span>` : nothing}<b>${phase}</b>
+      <span class="details">${words}</span></span
+    >`;
   }
 
   private renderPicture(): TemplateResult {

@@ -1,7 +1,7 @@
 import {html, type TemplateResult} from 'lit';
 import {repeat} from 'lit/directives/repeat.js';
-import {metres, microseconds, span} from '../format.js';
-import {TagMemory} from '../tag_memory.js';
+import {metres, span} from '../format.js';
+import {arrivalOf, TagMemory} from '../tag_memory.js';
 import {store} from '../session.js';
 import {StoreElement} from './store_element.js';
 
@@ -18,9 +18,11 @@ export class TagTable extends StoreElement {
   }
 
   protected override render(): TemplateResult {
-    const floor = store.moment.part('floor');
-    this.memory.observe(floor, store.hello?.scene.tags ?? []);
-    const rows = this.memory.rows(store.moment.now);
+    const moment = store.moment;
+    const floor = moment.part('floor');
+    const arrival = arrivalOf(floor, moment.slot('RFID_TAG_HITS'), moment.now);
+    this.memory.observe(floor, store.hello?.scene.tags ?? [], arrival);
+    const rows = this.memory.rows(moment.now);
     return html`<div class="scroll" tabindex="0" aria-label="Tags">
       <table>
         <thead>
@@ -53,7 +55,7 @@ export class TagTable extends StoreElement {
                   ${row.place ? `${row.place[0].toFixed(2)}, ${metres(row.place[1], 2)}` : 'unknown'}
                 </td>
                 <td class="number">${row.rssi === null ? '–' : `${row.rssi.toFixed(1)} dBm`}</td>
-                <td class="number">${span((store.moment.now - microseconds(row.at)) / 1e6)}</td>
+                <td class="number">${span((moment.now - row.at) / 1e6)}</td>
                 <td class="number">${row.count}</td>
               </tr>`,
           )}

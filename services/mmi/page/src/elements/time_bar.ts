@@ -18,9 +18,10 @@ import {
   step,
 } from '../transport.js';
 import {kLevelSymbols} from '../words.js';
+import './choice.js';
 import {StoreElement} from './store_element.js';
 
-const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10];
+const kSpeedOffers = [0.1, 0.25, 0.5, 1, 2, 5, 10].map((speed) => ({value: String(speed), words: `${speed} ×`}));
 /** us, what an arrow key moves the time by, and with Shift. */
 const kKeyStep_us = 1e6;
 const kLongKeyStep_us = 10e6;
@@ -72,11 +73,12 @@ export class TimeBar extends StoreElement {
         <button @click=${() => goToEvent(1)} title="Next event (N)" aria-label="Next event">${icon('next')}</button>
         ${
           log
-            ? html`<select aria-label="Speed" title="Speed" @change=${this.onSpeed}>
-                ${kSpeeds.map(
-                  (speed) => html`<option value=${speed} .selected=${speed === chosenSpeed()}>${speed} ×</option>`,
-                )}
-              </select>`
+            ? html`<mmi-choice
+                label="Speed"
+                .offers=${kSpeedOffers}
+                .chosen=${String(chosenSpeed())}
+                .choose=${this.onSpeed}
+              ></mmi-choice>`
             : html`<button
                 class="newest ${live ? 'is-on' : ''}"
                 aria-pressed=${live}
@@ -128,7 +130,7 @@ export class TimeBar extends StoreElement {
     </svg>`;
   }
 
-  private readonly onSpeed = (event: Event): void => setSpeed(Number((event.target as HTMLSelectElement).value));
+  private readonly onSpeed = (speed: string): void => setSpeed(Number(speed));
 
   private readonly onSlide = (event: Event): void => {
     const {begin, end} = range();
