@@ -12,6 +12,7 @@ void BusWatch::observe(const std::string& channel, const reflection::MessageNote
     entry = channels_.try_emplace(channel).first;
   }
   entry->second.watch.observe(note, now);
+  if (keeps_ == Keeps::kFigures) return;
   const auto* bytes = static_cast<const std::uint8_t*>(data);
   entry->second.newest.assign(bytes, bytes + note.bytes);
 }

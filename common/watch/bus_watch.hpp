@@ -11,15 +11,21 @@
 
 namespace markservo::watch {
 
-// All channels of a bus, each with its newest message. No clock: `now` is seconds of any clock that does not go back.
+// All channels of a bus, each with its newest message where that is asked for. No clock: `now` is seconds of any clock
+// that does not go back.
 class BusWatch {
  public:
   struct Channel {
     ChannelWatch watch;
-    std::vector<std::uint8_t> newest;  // payload
+    std::vector<std::uint8_t> newest;  // payload; empty where none is kept
   };
 
-  // `data` is copied. Channels beyond the first kMaxChannels are counted only.
+  enum class Keeps { kNewest, kFigures };
+
+  // `keeps`: whether each channel's newest message is copied.
+  explicit BusWatch(Keeps keeps = Keeps::kNewest) : keeps_(keeps) {}
+
+  // Channels beyond the first kMaxChannels are counted only.
   void observe(const std::string& channel, const reflection::MessageNote& note, const void* data, double now);
 
   const std::map<std::string, Channel>& channels() const { return channels_; }
@@ -32,6 +38,7 @@ class BusWatch {
   static constexpr std::size_t kMaxChannels = 1000;  // whoever writes on more means harm
 
  private:
+  Keeps keeps_;
   std::map<std::string, Channel> channels_;
   std::int64_t unwatched_ = 0;
 };

@@ -60,7 +60,7 @@ std::string ClientFeed::obey(const ClientWord& message) {
 }
 
 std::string ClientFeed::trouble() const {
-  if (!greeted_ || shown_->events().has_all_after(told_.event)) return {};
+  if (!told_hello_ || shown_->events().has_all_after(told_.event)) return {};
   return "too slow: events would be left out";
 }
 
@@ -140,8 +140,7 @@ std::optional<std::string> ClientFeed::update_text() {
 std::optional<std::string> ClientFeed::picture() {
   const double now = host_.now();
   if (!wants_pictures_ || picture_ - seen_ >= parameters_.pictures_under_way || now < picture_due_) return std::nullopt;
-  WorldReader& world = shown_->world();
-  const std::shared_ptr<const Frame> frame = world.frames().ready(world.now());
+  const std::shared_ptr<const Frame> frame = shown_->picture();
   if (!frame || frame == shown_frame_.lock()) return std::nullopt;
   shown_frame_ = frame;
   const auto made = host_.pictures().made(frame);

@@ -83,7 +83,6 @@ class ClientFeed final : public Conversation {
   std::optional<double> updated_at_;  // s
   double picture_due_ = 0.0;          // s
   std::weak_ptr<const Frame> shown_frame_;
-  std::optional<std::pair<std::int64_t, std::int64_t>> shown_name_;  // of the frame last sent
 };
 
 }  // namespace markservo::mmi

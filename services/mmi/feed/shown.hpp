@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,11 +17,13 @@ class Shown {
 
   virtual WorldReader& world() = 0;
   // Grows when the world has been begun anew, at another time of a log.
-  virtual std::uint64_t generation() const { return 0; }
+  virtual std::uint64_t generation() { return 0; }
   // Time passes.
   virtual void advance(double /*now*/) {}
   // {"utime", "playing", "speed"} in JSON, of a log; empty live. Another version when it changed.
-  virtual VersionedText play() const { return {0, ""}; }
+  virtual VersionedText play() { return {0, ""}; }
+  // The frame to show; null: none.
+  virtual std::shared_ptr<const Frame> picture() { return world().frames().ready(world().now()); }
   // Play, pause, seek, step: why it is refused; empty when it is done.
   virtual std::string control(const ClientWord& message) = 0;
   // The events that go with it.

@@ -17,6 +17,8 @@ constexpr std::array<std::pair<std::string_view, FramePart>, kFrameParts> kParts
 }};
 constexpr std::string_view kCommand = channels::kJointCommand.name;  // ends the chain, but is drawn on no picture
 
+constexpr double kSlack = 1.5;  // of the median, within which most answers come
+
 auto part_of(std::string_view channel) {
   return std::find_if(kParts.begin(), kParts.end(), [channel](const auto& known) { return known.first == channel; });
 }
@@ -52,12 +54,24 @@ void FrameRing::join(std::string_view channel, const reflection::Fields& fields,
   if (delays.size() > parameters_.delays) delays.pop_front();
 }
 
+double FrameRing::patience() const {
+  double slowest = 0.0;
+  for (const auto& [channel, median] : delays()) slowest = std::max(slowest, median);
+  return std::clamp(kSlack * slowest, parameters_.patience, parameters_.patience_max);
+}
+
 std::shared_ptr<const Frame> FrameRing::ready(double now) const {
+  const double patience = this->patience();
   const auto is_ready = [&](const std::shared_ptr<Frame>& frame) {
     const bool complete = std::all_of(frame->parts.begin(), frame->parts.end(), [](const Bytes& part) { return part; });
-    return complete || now - frame->heard >= parameters_.patience;
+    return complete || now - frame->heard >= patience;
   };
   const auto found = std::find_if(frames_.rbegin(), frames_.rend(), is_ready);
+  return found == frames_.rend() ? nullptr : *found;
+}
+
+std::shared_ptr<const Frame> FrameRing::of(std::int64_t at) const {
+  const auto found = std::find_if(frames_.rbegin(), frames_.rend(), [at](const auto& one) { return one->at == at; });
   return found == frames_.rend() ? nullptr : *found;
 }
 

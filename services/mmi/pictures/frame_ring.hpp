@@ -34,9 +34,11 @@ struct Frame {
 class FrameRing {
  public:
   struct Parameters {
-    std::size_t frames = 8;   // an answer comes within 3 frames, even at 60 Hz
-    double patience = 0.1;    // s, after which a picture is shown without what has not come
-    std::size_t delays = 60;  // of each channel: 2 s at 30 Hz
+    std::size_t frames = 8;     // an answer comes within 3 frames, even at 60 Hz
+    double patience = 0.1;      // s, after which a picture is shown without what has not come, or longer where answers
+                                // take longer: kSlack of their median
+    double patience_max = 0.5;  // s: an older picture would tell less than one without answers
+    std::size_t delays = 60;    // of each channel: 2 s at 30 Hz
   };
 
   FrameRing() : FrameRing(Parameters{}) {}
@@ -49,8 +51,13 @@ class FrameRing {
   // A message of such a channel.
   void join(std::string_view channel, const reflection::Fields& fields, const Bytes& bytes, std::int64_t at);
 
+  // How long the answers of a frame are waited for, s.
+  double patience() const;
+
   // The newest frame that has all of its answers, or has waited for them long enough; null: none.
   std::shared_ptr<const Frame> ready(double now) const;
+  // That which arrived at `at` (us); null: it is not here.
+  std::shared_ptr<const Frame> of(std::int64_t at) const;
   std::shared_ptr<const Frame> newest() const { return frames_.empty() ? nullptr : frames_.back(); }
 
   // s, from the frame's arrival to its answers', the median of the last ones, by channel.

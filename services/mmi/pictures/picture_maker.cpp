@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cstring>
+#include <stdexcept>
 
 #include "common/reflection/message_json.hpp"
 #include "common/reflection/type_catalog.hpp"
@@ -34,34 +35,43 @@ std::string text_of(const reflection::Bytes& bytes) {
 
 }  // namespace
 
+bool is_picture(const reflection::Fields& frame) {
+  constexpr std::int64_t kMostPixels = 65500;  // along an axis, of a JPEG
+  const reflection::Bytes* left = bytes_in(frame, "left");
+  const reflection::Bytes* right = bytes_in(frame, "right");
+  const std::int64_t width = reflection::integer_in(frame, "width", 0);
+  const std::int64_t height = reflection::integer_in(frame, "height", 0);
+  if (left == nullptr || right == nullptr || width < 1 || height < 1 || width > kMostPixels || height > kMostPixels) {
+    return false;
+  }
+  const std::int64_t encoding = reflection::integer_in(frame, "encoding", -1);
+  if (encoding == kJpeg) return left->size > 0 && right->size > 0;
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
+  return encoding == kBgr8 && left->size == pixels && right->size == pixels;
+}
+
 std::shared_ptr<const JpegPair> PictureMaker::jpegs(const std::shared_ptr<const Frame>& frame) {
   if (encoded_frame_ == frame) return encoded_;
   encoded_frame_ = frame;
   encoded_ = nullptr;
   const auto message = reflection::decode(reflection::TypeCatalog::ours(), frame->bytes->data(), frame->bytes->size());
   if (!message.error.empty()) return nullptr;
-  const reflection::Bytes* left = bytes_in(message.fields, "left");
-  const reflection::Bytes* right = bytes_in(message.fields, "right");
-  const std::int64_t width = reflection::integer_in(message.fields, "width", 0);
-  const std::int64_t height = reflection::integer_in(message.fields, "height", 0);
-  const std::int64_t encoding = reflection::integer_in(message.fields, "encoding", -1);
-  constexpr std::int64_t kMostPixels = 65500;  // along an axis, of a JPEG
-  if (left == nullptr || right == nullptr || width < 1 || height < 1 || width > kMostPixels || height > kMostPixels) {
-    return nullptr;
-  }
+  if (!is_picture(message.fields)) return nullptr;
+  const reflection::Bytes& left = *bytes_in(message.fields, "left");
+  const reflection::Bytes& right = *bytes_in(message.fields, "right");
   auto pair = std::make_shared<JpegPair>();
-  pair->width = static_cast<int>(width);
-  pair->height = static_cast<int>(height);
-  if (encoding == kJpeg) {
-    pair->left = text_of(*left);
-    pair->right = text_of(*right);
-  } else if (encoding == kBgr8) {
-    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
-    if (left->size != pixels || right->size != pixels) return nullptr;
-    pair->left = encoder_.encode(left->data, pair->width, pair->height);
-    pair->right = encoder_.encode(right->data, pair->width, pair->height);
+  pair->width = static_cast<int>(reflection::integer_in(message.fields, "width", 0));
+  pair->height = static_cast<int>(reflection::integer_in(message.fields, "height", 0));
+  if (reflection::integer_in(message.fields, "encoding", -1) == kJpeg) {
+    pair->left = text_of(left);
+    pair->right = text_of(right);
   } else {
-    return nullptr;
+    try {
+      pair->left = encoder_.encode(left.data, pair->width, pair->height);
+      pair->right = encoder_.encode(right.data, pair->width, pair->height);
+    } catch (const std::runtime_error&) {
+      return nullptr;  // it is shown as one that cannot be, and the next one is tried
+    }
   }
   encoded_ = std::move(pair);
   return encoded_;

@@ -16,6 +16,9 @@ struct JpegPair {
   std::string right;
 };
 
+// Whether a STEREO_FRAME, decoded, can be shown: an encoding that is known, and sizes that go together.
+bool is_picture(const reflection::Fields& frame);
+
 // Frames as what a browser shows. JPEG files of a frame pass as they are; the frame last made is kept, for the next
 // client.
 class PictureMaker {

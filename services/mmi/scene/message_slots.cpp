@@ -1,5 +1,8 @@
 #include "services/mmi/scene/message_slots.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <array>
 #include <variant>
 
@@ -26,6 +29,30 @@ std::string text_in(const reflection::Fields& fields, const char* name) {
   return text == nullptr ? "" : *text;
 }
 
+// Bytes of all but arrays of bytes, roughly as many as in JSON.
+std::size_t size_of(const reflection::Fields& fields);
+
+struct SizeOf {
+  std::size_t operator()(const std::string& text) const { return text.size(); }
+  std::size_t operator()(const reflection::Bytes& /*shown by their number*/) const { return 0; }
+  std::size_t operator()(const reflection::Fields& fields) const { return size_of(fields); }
+  std::size_t operator()(const reflection::List& list) const {
+    std::size_t size = 0;
+    for (const reflection::Value& value : list) size += std::visit(*this, value.content);
+    return size;
+  }
+  template <class Number>
+  std::size_t operator()(const Number& /*number*/) const {
+    return sizeof(Number);
+  }
+};
+
+std::size_t size_of(const reflection::Fields& fields) {
+  std::size_t size = 0;
+  for (const reflection::Value& value : fields.values) size += std::visit(SizeOf{}, value.content);
+  return size;
+}
+
 }  // namespace
 
 std::string key_of(const reflection::TypeCatalog& types, const std::vector<std::uint8_t>& message) {
@@ -46,7 +73,10 @@ const std::string& MessageSlots::Slot::json() const {
   if (!json_.empty()) return json_;
   nlohmann::ordered_json json = {{"channel", channel}, {"key", key}, {"at", std::to_string(at)}};
   const reflection::DecodedMessage decoded = reflection::decode(*types_, bytes->data(), bytes->size());
-  if (decoded.error.empty()) {
+  const std::size_t shown = decoded.error.empty() ? size_of(decoded.fields) : 0;
+  if (shown > shown_max_) {
+    json["bad"] = fmt::format("{} bytes of texts and numbers; up to {} are shown", shown, shown_max_);
+  } else if (decoded.error.empty()) {
     json["message"] = reflection::json_of(decoded.fields, reflection::JsonForm::kExact, bytes_shown_);
   } else {
     json["bad"] = decoded.error;
@@ -64,6 +94,7 @@ const MessageSlots::Slot& MessageSlots::observe(const std::string& channel, Byte
   if (const auto known = versions_.find({channel, key}); known != versions_.end()) {
     forget(by_version_.find(known->second));
   }
+  make_room(channel);
   Slot slot;
   slot.channel = channel;
   slot.key = key;
@@ -72,6 +103,7 @@ const MessageSlots::Slot& MessageSlots::observe(const std::string& channel, Byte
   slot.bytes = std::move(bytes);
   slot.types_ = types_;
   slot.bytes_shown_ = parameters_.bytes_shown;
+  slot.shown_max_ = parameters_.shown_max;
   bytes_ += slot.bytes->size();
   while (!by_version_.empty() && (by_version_.size() >= parameters_.slots_max || bytes_ > parameters_.bytes_max)) {
     forget(by_version_.begin());
@@ -89,6 +121,17 @@ std::vector<const MessageSlots::Slot*> MessageSlots::since(std::uint64_t version
 const MessageSlots::Slot* MessageSlots::find(const std::string& channel, const std::string& key) const {
   const auto known = versions_.find({channel, key});
   return known == versions_.end() ? nullptr : &by_version_.at(known->second);
+}
+
+void MessageSlots::make_room(const std::string& channel) {
+  std::size_t number = 0;
+  std::uint64_t oldest = version_;
+  for (auto known = versions_.lower_bound({channel, ""}); known != versions_.end(); ++known) {
+    if (known->first.first != channel) break;
+    ++number;
+    oldest = std::min(oldest, known->second);
+  }
+  if (number >= parameters_.channel_max) forget(by_version_.find(oldest));
 }
 
 void MessageSlots::forget(std::map<std::uint64_t, Slot>::iterator slot) {

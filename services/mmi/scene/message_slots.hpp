@@ -24,8 +24,11 @@ class MessageSlots {
  public:
   struct Parameters {
     std::size_t slots_max = 1000;
+    std::size_t channel_max = 100;       // of one channel: some twenty write on one
     std::size_t bytes_max = 64u << 20;   // of all messages: a robot's are 2 MB, pictures included
     std::size_t bytes_shown = 8u << 10;  // a longer array of bytes is told by its number
+    std::size_t shown_max =
+        256u << 10;  // bytes of what else a message holds, beyond which it is not shown: ours have 20 KB
   };
 
   class Slot {
@@ -44,6 +47,7 @@ class MessageSlots {
 
     const reflection::TypeCatalog* types_ = nullptr;
     std::size_t bytes_shown_ = 0;
+    std::size_t shown_max_ = 0;
     mutable std::string json_;
   };
 
@@ -65,6 +69,8 @@ class MessageSlots {
   std::size_t size() const { return by_version_.size(); }
 
  private:
+  // Makes room for one more of `channel`.
+  void make_room(const std::string& channel);
   void forget(std::map<std::uint64_t, Slot>::iterator slot);
 
   Parameters parameters_;

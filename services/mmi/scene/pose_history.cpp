@@ -20,7 +20,9 @@ void PoseHistory::add(const PoseReport& pose) {
   if (!poses_.empty() && pose.utime == poses_.back().utime) poses_.pop_back();
   poses_.push_back(pose);
   poses_.back().reason.clear();
-  while (seconds_between(poses_.front().utime, pose.utime) > parameters_.kept) poses_.pop_front();
+  while (poses_.size() > parameters_.most || seconds_between(poses_.front().utime, pose.utime) > parameters_.kept) {
+    poses_.pop_front();
+  }
 }
 
 std::optional<geometry::PlanePose> PoseHistory::at(std::int64_t utime) const {

@@ -12,9 +12,10 @@ namespace markservo::mmi {
 class PoseHistory {
  public:
   struct Parameters {
-    double kept = 5.0;      // s: rounds arrive 0.2 s after their middle, up to 1 s of slow readers
-    double gap_max = 1.0;   // s between two poses: without encoders one comes with each round
-    double hold_max = 0.1;  // s after the newest, which counts as still: 5 poses at 50 Hz
+    std::size_t most = 1000;  // poses: 200 Hz for as long
+    double kept = 5.0;        // s: rounds arrive 0.2 s after their middle, up to 1 s of slow readers
+    double gap_max = 1.0;     // s between two poses: without encoders one comes with each round
+    double hold_max = 0.1;    // s after the newest, which counts as still: 5 poses at 50 Hz
   };
 
   PoseHistory() : PoseHistory(Parameters{}) {}

@@ -3,8 +3,6 @@
 #include <limits>
 #include <utility>
 
-#include "common/time/seconds_between.hpp"
-
 namespace markservo::mmi {
 namespace {
 
@@ -20,12 +18,23 @@ std::string text_of(const Saying& saying, const std::string& state_before, bool 
 
 }  // namespace
 
-std::optional<StateChange> StateChanges::observe(const Report& report, std::int64_t at) {
-  if (const std::optional<Saying> saying = saying_of(report)) return compare(*saying, at);
+std::optional<StateChange> StateChanges::observe(const Report& report, std::int64_t at, double now) {
+  if (const std::optional<Saying> saying = saying_of(report)) return compare(*saying, at, now);
   std::optional<Request> request = request_of(report);
   if (!request || !requests_.is_new(request->channel, request->session, request->id)) return std::nullopt;
+  if (!may_tell_request(now)) {
+    ++untold_;
+    return std::nullopt;
+  }
   return tell({0, at, std::move(request->channel), "", ChangeKind::kCommand, std::move(request->state),
                std::move(request->text), request->level});
+}
+
+bool StateChanges::may_tell_request(double now) {
+  while (!requests_told_.empty() && now - requests_told_.front() >= 1.0) requests_told_.pop_front();
+  if (requests_told_.size() >= parameters_.requests_told) return false;
+  requests_told_.push_back(now);
+  return true;
 }
 
 StateChange StateChanges::tell(StateChange change) {
@@ -33,9 +42,9 @@ StateChange StateChanges::tell(StateChange change) {
   return change;
 }
 
-std::optional<StateChange> StateChanges::compare(const Saying& saying, std::int64_t at) {
+std::optional<StateChange> StateChanges::compare(const Saying& saying, std::int64_t at, double now) {
   const Writer writer(saying.kind, saying.key, saying.session);
-  const Word word{saying.state, saying.gist, at};
+  const Word word{saying.state, saying.gist, now};
   const auto same = [&](const Word& other) { return other.state == word.state && other.gist == word.gist; };
   std::string state_before;
   bool again = false;
@@ -44,7 +53,7 @@ std::optional<StateChange> StateChanges::compare(const Saying& saying, std::int6
     if (same(before)) return std::nullopt;
     state_before = before.state;
   } else {
-    if (!make_room(saying.kind, at)) {
+    if (!make_room(saying.kind, now)) {
       ++untold_;
       return std::nullopt;
     }
@@ -68,7 +77,7 @@ const StateChanges::Word* StateChanges::newest_of(ChangeKind kind, const std::st
   return newest;
 }
 
-bool StateChanges::make_room(ChangeKind kind, std::int64_t at) {
+bool StateChanges::make_room(ChangeKind kind, double now) {
   std::size_t number = 0;
   auto quietest = words_.end();
   for (auto entry = words_.lower_bound({kind, "", kFirstSession}); entry != words_.end(); ++entry) {
@@ -77,7 +86,7 @@ bool StateChanges::make_room(ChangeKind kind, std::int64_t at) {
     if (quietest == words_.end() || entry->second.heard < quietest->second.heard) quietest = entry;
   }
   if (number < parameters_.writers_max) return true;
-  if (seconds_between(quietest->second.heard, at) < parameters_.quiet) return false;
+  if (now - quietest->second.heard < parameters_.quiet) return false;
   words_.erase(quietest);
   return true;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,18 +26,21 @@ class StateChanges {
     std::size_t writers_max = 256;    // remembered of each kind: a stack has 12 services
     double quiet = 10.0;              // s without a word, after which one may be forgotten for a newcomer
     std::size_t requests_max = 1000;  // remembered; one is repeated for seconds
+    std::size_t requests_told = 50;   // in each second, at most: who invents more is to push nothing else out
   };
 
   StateChanges() : StateChanges(Parameters{}) {}
   explicit StateChanges(const Parameters& parameters) : parameters_(parameters), requests_(parameters.requests_max) {}
 
-  // The change that the report, heard at `at` (us), tells; nothing if it tells none.
-  std::optional<StateChange> observe(const Report& report, std::int64_t at);
+  // The change that the report tells; nothing if it tells none. `at`: us, arrival; `now`: s of a clock that does not go
+  // back.
+  std::optional<StateChange> observe(const Report& report, std::int64_t at, double now);
 
   // Numbers a change that somebody else has found, such as a trouble, with the others.
   StateChange tell(StateChange change);
 
-  // Messages of writers that are not remembered since there are too many, and of which nothing is told.
+  // Messages of which nothing is told: of writers that are not remembered since there are too many, and requests beyond
+  // the number that is told.
   std::int64_t untold() const { return untold_; }
 
  private:
@@ -45,17 +49,19 @@ class StateChanges {
   struct Word {
     std::string state;
     std::string gist;
-    std::int64_t heard = 0;  // us
+    double heard = 0.0;  // s
   };
 
-  std::optional<StateChange> compare(const Saying& saying, std::int64_t at);
+  std::optional<StateChange> compare(const Saying& saying, std::int64_t at, double now);
+  bool may_tell_request(double now);
   const Word* newest_of(ChangeKind kind, const std::string& key) const;
   // Forgets one of the kind that has been quiet, if there are too many. False: none has.
-  bool make_room(ChangeKind kind, std::int64_t at);
+  bool make_room(ChangeKind kind, double now);
 
   Parameters parameters_;
   std::map<Writer, Word> words_;
   RequestMemory requests_;
+  std::deque<double> requests_told_;  // s, in the last second
   std::int64_t number_ = 0;
   std::int64_t untold_ = 0;
 };

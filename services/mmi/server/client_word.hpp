@@ -46,7 +46,7 @@ using ClientWord = std::variant<ClientHello, ClientPictures, ClientSeen, ClientT
 
 inline constexpr std::size_t kMostLooked = 64;    // channels at once
 inline constexpr std::size_t kLongestText = 512;  // bytes, of a reason, a name or a token
-inline constexpr double kFastestPlay = 100.0;
+inline constexpr double kFastestPlay = 10.0;
 
 // Throws std::invalid_argument: what is wrong, and what is allowed.
 ClientWord parse_client_word(std::string_view text);

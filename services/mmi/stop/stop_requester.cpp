@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/time/seconds_between.hpp"
+
 namespace markservo::mmi {
 namespace {
 
@@ -53,9 +55,13 @@ void StopRequester::observe(const task::StopReport& report, std::int64_t utime, 
   device.report = report;
   device.heard = now;
   sender_.observe_stop_state(report.device, utime);
-  requested_utime_ = std::min(requested_utime_, utime);  // the devices' clock may have begun anew
+  const bool began_anew = seconds_between(utime, requested_utime_) > parameters_.clock_jump;
+  if (began_anew) requested_utime_ = utime;
   if (state_ == StopAnswer::kIdle) return;
-  if (device.echo_utime && !report.latched && utime > *device.echo_utime) return end();
+  if (device.echo_utime && !report.latched && utime > *device.echo_utime) {
+    if (state_ == StopAnswer::kAcknowledged) return end();
+    device.echo_utime.reset();  // others have not echoed yet: it may be a driver that began anew
+  }
   // Another's later request does not take the answer back.
   if (!device.echo_utime && report.answers_us && report.latched) device.echo_utime = utime;
   const bool all =

@@ -8,8 +8,9 @@
 // | idle         | request                                       | requested, under a new id         |
 // | requested    | request                                       | the same request                  |
 // | requested    | every stop device has echoed it               | acknowledged: nothing is due      |
-// | requested    | a later RESET; an echoing device is released  | idle: nothing is due              |
-// | acknowledged | the same                                      | idle                              |
+// | requested    | a later RESET                                 | idle: nothing is due              |
+// | requested    | a device that has echoed is released          | it has not echoed                 |
+// | acknowledged | a later RESET; a device is released           | idle                              |
 // | acknowledged | request                                       | requested, under a new id         |
 
 #include <cstdint>
@@ -29,7 +30,10 @@ struct StopParameters {
   double repeat = 0.2;   // s between two sendings: LCM may lose one
   double silent = 0.32;  // s after the request in which a device echoes (p99 0.2 s on a busy machine), or counts as
                          // silent: a person sees it 0.1 s later, and is to see it within 0.5 s
-  double gone = 2.0;  // s without a word, of 5 a second, after which a device counts as silent while nothing is asked
+  double gone = 2.5;  // s without a word, as StopTroubleParameters.silent, after which a device counts as silent while
+                      // nothing is asked
+  double clock_jump =
+      1.0;  // s by which the devices' time must fall to have begun anew: words come late and out of order
 };
 
 enum class StopAnswer { kIdle, kRequested, kAcknowledged, kSilent };

@@ -18,9 +18,6 @@ class RobotState {
   // One that records counts before one that does not.
   void observe(const RecorderWord& word);
 
-  // Of another robot, or of the same one at another time of a log.
-  void begin_anew() { *this = RobotState(); }
-
   const std::optional<TaskWord>& task() const { return task_; }
   // us of the source's clock: when the task was first heard to be in its phase.
   std::int64_t task_since_utime() const { return task_since_utime_; }

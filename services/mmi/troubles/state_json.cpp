@@ -47,6 +47,7 @@ Json task_json(const RobotState& state) {
           {"reason", task.reason},
           {"result", result_name(task.result)},
           {"since_utime", std::to_string(state.task_since_utime())},
+          {"at_utime", std::to_string(task.at)},
           {"text", state.activity()}};
 }
 
@@ -57,7 +58,8 @@ Json pose_json(const PoseWord& pose) {
           {"state", constant(name_of(pose.state))},
           {"sigma_x", number(pose.sigma_x)},
           {"sigma_y", number(pose.sigma_y)},
-          {"reason", pose.reason}};
+          {"reason", pose.reason},
+          {"at_utime", std::to_string(pose.at)}};
 }
 
 Json recording_json(const RecorderWord& recorder) {
@@ -66,7 +68,8 @@ Json recording_json(const RecorderWord& recorder) {
           {"bytes", std::to_string(recorder.bytes)},
           {"free_bytes", std::to_string(recorder.free_bytes)},
           {"parts", recorder.parts},
-          {"why", recorder.why}};
+          {"why", recorder.why},
+          {"at_utime", std::to_string(recorder.at)}};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace markservo::mmi {
 
@@ -66,6 +67,11 @@ struct Trouble {
   std::string text;              // what is wrong, a sentence without its full stop
   std::string remedy;            // what a person does, likewise, with the command to type where there is one
 };
+
+// What is one trouble as long as it lasts. A stop is one whatever has latched so far: device after device hears of it.
+inline std::pair<TroubleCode, std::string> identity_of(const Trouble& trouble) {
+  return {trouble.code, trouble.code == TroubleCode::kStopLatched ? "" : trouble.subject};
+}
 
 inline bool operator==(const Trouble& a, const Trouble& b) {
   return a.code == b.code && a.subject == b.subject && a.since_utime == b.since_utime && a.text == b.text &&

@@ -38,7 +38,7 @@ double TroubleList::end_of(TroubleCode code) const {
 const std::vector<Trouble>& TroubleList::step(const Findings& findings, double now) {
   for (const Finding& finding : findings) {
     const Trouble& trouble = finding.trouble;
-    const auto key = std::make_pair(trouble.code, trouble.subject);
+    const auto key = identity_of(trouble);
     const auto known = shown_.find(key);
     if (known == shown_.end()) {
       if (now - finding.since >= begin_of(trouble.code)) shown_[key] = {trouble, finding.since, now};

@@ -24,8 +24,8 @@ class TroubleList {
  public:
   explicit TroubleList(TroubleListParameters parameters = {}) : parameters_(parameters) {}
 
-  // All signs at `now` (s), which does not go back. The troubles, the worst first, then the oldest; the same subject's
-  // of one code counts once.
+  // All signs at `now` (s), which does not go back. The troubles, the worst first, then the oldest; the same one
+  // (identity_of) counts once.
   const std::vector<Trouble>& step(const Findings& findings, double now);
 
  private:

@@ -22,10 +22,6 @@ TroubleWatch::TroubleWatch(std::vector<std::string> stop_devices, TroubleParamet
       writer_(parameters.writer),
       list_(parameters.list) {}
 
-void TroubleWatch::begin_anew() {
-  *this = TroubleWatch(stop_devices_, parameters_, typed_);
-}
-
 void TroubleWatch::observe(const AnyWord& word, double now) {
   camera_.observe(word, now);
   clock_.observe(word, now);

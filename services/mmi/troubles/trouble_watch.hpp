@@ -59,9 +59,6 @@ class TroubleWatch {
   // The troubles at `now`, the worst first; to be called every 0.1 s or oftener. They hold until the next call.
   const std::vector<Trouble>& step(double now);
 
-  // Forgets all: another robot, one that was started again, another time of a log. Then `now` may begin anywhere.
-  void begin_anew();
-
  private:
   std::vector<std::string> stop_devices_;
   TroubleParameters parameters_;

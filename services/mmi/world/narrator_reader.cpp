@@ -8,9 +8,8 @@ namespace markservo::mmi {
 namespace {
 
 bool has(const std::vector<Trouble>& troubles, const Trouble& wanted) {
-  return std::any_of(troubles.begin(), troubles.end(), [&wanted](const Trouble& one) {
-    return one.code == wanted.code && one.subject == wanted.subject;
-  });
+  return std::any_of(troubles.begin(), troubles.end(),
+                     [&wanted](const Trouble& one) { return identity_of(one) == identity_of(wanted); });
 }
 
 StateChange change_of(const Trouble& trouble, std::int64_t at, bool begins) {
@@ -32,7 +31,7 @@ NarratorReader::NarratorReader(const robot::RobotDescription& robot, const Param
 ReadReport NarratorReader::observe(const std::string& channel, const void* data, std::size_t size, std::int64_t at,
                                    double now) {
   ReadReport read = read_report(channel, data, size);
-  if (const auto change = changes_.observe(read.report, at)) events_.add(*change);
+  if (const auto change = changes_.observe(read.report, at, now)) events_.add(*change);
   const std::string bad = observe_message(channel, data, size, at, now, watch_, state_);
   if (read.bad.empty()) read.bad = bad;
   advance(at, now);

@@ -37,6 +37,8 @@ class NarratorReader {
   void advance(std::int64_t at, double now);
 
   const EventLog& events() const { return events_; }
+  // Messages of which nothing is told, for there are too many of their kind.
+  std::int64_t untold() const { return changes_.untold(); }
   const RobotState& state() const { return state_; }
   // The present ones, the worst first; `version` grows with each change.
   const std::vector<Trouble>& troubles() const { return troubles_; }

@@ -8,6 +8,7 @@
 #include "common/reflection/message_note.hpp"
 #include "common/reflection/type_catalog.hpp"
 #include "common/watch/watch_json.hpp"
+#include "services/mmi/pictures/picture_maker.hpp"
 #include "services/mmi/troubles/state_json.hpp"
 
 namespace markservo::mmi {
@@ -59,6 +60,7 @@ void WorldReader::join_frame(const std::string& channel, const Bytes& bytes, std
   const auto message = reflection::decode(reflection::TypeCatalog::ours(), bytes->data(), bytes->size());
   if (!message.error.empty()) return;
   if (is_frame) {
+    if (!is_picture(message.fields)) return;
     frames_.add(message.fields, bytes, at, now);
   } else {
     frames_.join(channel, message.fields, bytes, at);

@@ -47,6 +47,7 @@ class WorldReader {
   const MessageSlots& slots() const { return slots_; }
   const EventLog& events() const { return narrator_.events(); }
   const RobotState& state() const { return narrator_.state(); }
+  std::int64_t untold() const { return narrator_.untold(); }
   const std::vector<Trouble>& troubles() const { return narrator_.troubles(); }
   const FrameRing& frames() const { return frames_; }
   const watch::BusWatch& watch() const { return watch_; }
@@ -71,7 +72,7 @@ class WorldReader {
   Parameters parameters_;
   MessageSlots slots_;
   FrameRing frames_;
-  watch::BusWatch watch_;
+  watch::BusWatch watch_{watch::BusWatch::Keeps::kFigures};
   ArmView arm_view_;
   Places places_view_;
   FloorView floor_view_;

@@ -116,6 +116,17 @@ class FedClient : public ::testing::Test, private FeedHost {
   PictureMaker pictures_;
 };
 
+TEST_F(FedClient, ComesInAfterMoreEventsThanAreKept) {
+  for (int i = 0; i < 3000; ++i) say_phase(i % 10);
+  greet();
+  EXPECT_EQ(feed_.trouble(), "") << "nothing has been left out: it was told nothing yet";
+  const auto all = told();
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all[0]["type"], "hello");
+  EXPECT_EQ(all[0]["events"].size(), 2000U);
+  EXPECT_EQ(feed_.trouble(), "");
+}
+
 TEST_F(FedClient, IsToldNothingBeforeItsHello) {
   say_phase(1);
   EXPECT_TRUE(sent().empty());

@@ -171,14 +171,5 @@ TEST(TroubleOrder, TheWorstIsTheFirstWhateverBeganFirst) {
                                       TroubleCode::kRecordingEnded}));
 }
 
-TEST(TroubleWatch, ForgetsAllWhenItBeginsAnew) {
-  HealthyRobot robot;
-  robot.pass(5.0);
-  robot.silent = {"arm", "base", "STEREO_FRAME", "PROCESS_STATUS", "RECORDER_STATUS"};
-  EXPECT_FALSE(robot.pass(5.0).empty());
-  robot.watch.begin_anew();
-  EXPECT_TRUE(robot.watch.step(0.0).empty());
-}
-
 }  // namespace
 }  // namespace markservo::mmi

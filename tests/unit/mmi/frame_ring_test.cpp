@@ -91,5 +91,13 @@ TEST_F(HeardFrames, AreForgottenBeforeTheyFillTheMemory) {
   EXPECT_EQ(ring_.newest()->seq, 1000);
 }
 
+TEST_F(HeardFrames, WaitLongerWhereAnswersTakeLonger) {
+  for (int seq = 1; seq <= 10; ++seq) {
+    hear_frame(seq, 0.1 * seq);
+    if (seq > 2) hear_answers(seq - 2, 0.1 * seq);
+  }
+  EXPECT_EQ(ready(1.0), 8) << "the newest with its answers, 0.2 s after it came";
+}
+
 }  // namespace
 }  // namespace markservo::mmi

@@ -83,7 +83,7 @@ class ALog : public ::testing::Test {
   }
   double time() const { return 1e-6 * static_cast<double>(shown_->utime() - kBegin); }
   std::int64_t picture() const {
-    const auto frame = shown_->world().frames().ready(shown_->world().now());
+    const auto frame = shown_->picture();
     return frame ? frame->seq : 0;
   }
   std::string slots() const {
@@ -168,6 +168,32 @@ TEST_F(ALog, StepsFromPictureToPicture) {
   seek(99.0);
   shown_->control(ClientStep{1});
   EXPECT_EQ(picture(), 100);
+}
+
+TEST_F(ALog, StepsOverEachPictureWhereTheAnswersComeAfterTheNextOne) {
+  std::vector<logs::LogEvent> late;
+  for (const logs::LogEvent& event : events_) {
+    late.push_back(event);
+    if (FrameRing::is_answer(event.channel)) late.back().utime += 150'000;
+  }
+  logs::write_log(folder_.file("late"), late);
+  LogSource source(folder_.file("late"), "", robot_of_the_project(), "");
+  const auto shown = source.shown();
+  ASSERT_TRUE(shown->picture()) << "it opens with a picture";
+  for (int seq = 1; seq < 10; ++seq) {
+    ASSERT_TRUE(shown->picture());
+    EXPECT_EQ(shown->picture()->seq, seq);
+    shown->control(ClientStep{1});
+  }
+  shown->control(ClientStep{-1});
+  EXPECT_EQ(shown->picture()->seq, 9);
+}
+
+TEST_F(ALog, DoesTheNewestOfManyWishesAlone) {
+  const std::uint64_t before = shown_->generation();
+  for (int i = 0; i < 1000; ++i) seek(0.005 * i);
+  EXPECT_EQ(shown_->generation(), before + 1);
+  EXPECT_NEAR(time(), 4.995, 1e-6);
 }
 
 TEST_F(ALog, TellsAClientThatItsTimeIsAnother) {

@@ -179,5 +179,23 @@ TEST(SlotsOfMessages, HoldNoMoreBytesThanAllowedButForTheNewest) {
   EXPECT_EQ(names(slots.since(0)), (std::vector<std::string>{"E"}));
 }
 
+TEST(MessageSlots, ShowAHugeTextByItsSize) {
+  MessageSlots slots;
+  TaskState message{};
+  message.reason = std::string(1 << 20, '\x01');
+  const auto json = nlohmann::json::parse(slots.observe("TASK_STATE", bytes_of(message), 1).json());
+  EXPECT_EQ(json.count("message"), 0U);
+  EXPECT_NE(json["bad"].get<std::string>().find("up to 262144 are shown"), std::string::npos);
+}
+
+TEST(MessageSlots, LetInventedKeysOfOneChannelPushNoOtherOut) {
+  MessageSlots slots;
+  slots.observe("TASK_STATE", task(1), 1);
+  for (int i = 0; i < 5000; ++i) slots.observe("STOP_STATE", stop_of("device " + std::to_string(i)), 2);
+  EXPECT_NE(slots.find("TASK_STATE", ""), nullptr);
+  EXPECT_NE(slots.find("STOP_STATE", "device 4999"), nullptr);
+  EXPECT_EQ(slots.size(), 1U + MessageSlots::Parameters().channel_max);
+}
+
 }  // namespace
 }  // namespace markservo::mmi

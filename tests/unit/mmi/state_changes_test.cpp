@@ -12,7 +12,8 @@ class ChangesOfState : public ::testing::Test {
  protected:
   // The text of the change that the report tells; empty if it tells none.
   std::string text(const Report& report) {
-    newest_ = changes_.observe(report, at_ += 1000);
+    at_ += 1000;
+    newest_ = changes_.observe(report, at_, 1e-6 * static_cast<double>(at_));
     return newest_ ? newest_->text : "";
   }
   bool tells(const Report& report) { return !text(report).empty(); }
@@ -23,12 +24,12 @@ class ChangesOfState : public ::testing::Test {
 };
 
 TEST_F(ChangesOfState, AreNumberedWithoutAGapAndCarryWhenTheyWereHeard) {
-  EXPECT_EQ(changes_.observe(TaskReport{1, TaskPhase::kIdle, 0, "", ""}, 70)->number, 1);
-  EXPECT_FALSE(changes_.observe(TaskReport{1, TaskPhase::kIdle, 0, "", ""}, 71));
+  EXPECT_EQ(changes_.observe(TaskReport{1, TaskPhase::kIdle, 0, "", ""}, 70, 70.0)->number, 1);
+  EXPECT_FALSE(changes_.observe(TaskReport{1, TaskPhase::kIdle, 0, "", ""}, 71, 71.0));
   StateChange trouble;
   trouble.kind = ChangeKind::kTrouble;
   EXPECT_EQ(changes_.tell(trouble).number, 2);
-  const auto change = changes_.observe(TaskReport{1, TaskPhase::kLook, 0, "", ""}, 72);
+  const auto change = changes_.observe(TaskReport{1, TaskPhase::kLook, 0, "", ""}, 72, 72.0);
   EXPECT_EQ(change->number, 3);
   EXPECT_EQ(change->at, 72);
 }

@@ -18,7 +18,7 @@ TEST(StateJson, SaysTheTaskAsItsMessageNamesIt) {
   state.observe(TaskWord{1234, TaskPhase::kHoldLifted, TaskResult::kLifted, "red_book", ""});
   EXPECT_EQ(state_json(state, {})["task"],
             Json::parse(R"({"state": "HOLD_LIFTED", "target": "red_book", "reason": "", "result": "LIFTED",
-                            "since_utime": "1234", "text": "lifted: red_book"})"));
+                            "since_utime": "1234", "at_utime": "1234", "text": "lifted: red_book"})"));
   state.observe(TaskWord{1235, TaskPhase::kLiftOn, TaskResult::kNone, "red_book", "lifting on"});
   EXPECT_EQ(state_json(state, {})["task"]["state"], "LIFT_ON");
 }
@@ -28,7 +28,7 @@ TEST(StateJson, SaysThePoseAndWhatIsNotFiniteIsNull) {
   state.observe(PoseWord{1, LocalisationState::kLost, {1.0, 2.0, 0.5}, 0.25, NAN, "the reads contradict the pose"});
   EXPECT_EQ(state_json(state, {})["pose"],
             Json::parse(R"({"x": 1.0, "y": 2.0, "heading": 0.5, "state": "LOST", "sigma_x": 0.25, "sigma_y": null,
-                            "reason": "the reads contradict the pose"})"));
+                            "reason": "the reads contradict the pose", "at_utime": "1"})"));
 }
 
 TEST(StateJson, SaysTheRecording) {
@@ -36,7 +36,7 @@ TEST(StateJson, SaysTheRecording) {
   state.observe(RecorderWord{1, "logs/today", "host", true, 9007199254740993, 5, 2, ""});
   EXPECT_EQ(state_json(state, {})["recording"],
             Json::parse(R"({"folder": "logs/today", "recording": true, "bytes": "9007199254740993",
-                            "free_bytes": "5", "parts": 2, "why": ""})"));
+                            "free_bytes": "5", "parts": 2, "why": "", "at_utime": "1"})"));
 }
 
 TEST(StateJson, ListsTheTroublesAsGiven) {

@@ -120,6 +120,25 @@ TEST_F(Stop, WhatNobodyAsksAndNobodyHearsIsSilentToo) {
   EXPECT_EQ(StopRequester({"arm"}).view(0.0).devices[0].latched, std::nullopt);
 }
 
+TEST_F(Stop, GoesOnForTheOthersWhereOneThatHasEchoedBeginsAnew) {
+  stop.request("asked", 1.0);
+  stop.due(1.0);
+  echo("arm", 1.1);
+  hear("arm", false, false, 103 * kSecond_us, 1.2);
+  EXPECT_EQ(state(1.2), StopAnswer::kRequested);
+  EXPECT_TRUE(stop.due(1.25));
+  echo("base", 1.3);
+  EXPECT_EQ(state(1.3), StopAnswer::kRequested) << "the arm is free";
+}
+
+TEST_F(Stop, ALateWordOfADeviceMakesNoEarlierResetALaterOne) {
+  stop.request("asked", 1.0);
+  stop.due(1.0);
+  hear("base", false, false, 100 * kSecond_us - 200'000, 1.1);
+  stop.observe(HeardReset{55, 1, 100 * kSecond_us - 100'000});
+  EXPECT_TRUE(stop.due(1.25));
+}
+
 TEST_F(Stop, IsNotSentAgainAfterALaterReset) {
   stop.request("asked", 1.0);
   EXPECT_TRUE(stop.due(1.0));
@@ -147,10 +166,11 @@ TEST_F(Stop, ARepeatOfAResetThatWasHeardBeforeItDoesNotEndItHoweverItIsStamped) 
   EXPECT_FALSE(stop.due(1.5));
 }
 
-TEST_F(Stop, ADeviceThatEchoedAndIsReleasedShowsThatSomebodyHasResetIt) {
+TEST_F(Stop, ADeviceThatIsReleasedOnceAllHaveEchoedShowsThatSomebodyHasResetIt) {
   stop.request("asked", 1.0);
   stop.due(1.0);
   echo("arm", 1.1);
+  echo("base", 1.1);
   hear("arm", false, false, 103 * kSecond_us, 3.0);
   EXPECT_EQ(state(3.0), StopAnswer::kIdle);
   EXPECT_FALSE(stop.due(3.0));

@@ -63,5 +63,17 @@ TEST(TroubleWatch, StaysSmallAndFindsTheRobotsOwnTroubleAmongAThousandInventedNa
   EXPECT_EQ(troubles.front().subject, "arm");
 }
 
+TEST(TroubleWatch, HasOneStopWhereDeviceAfterDeviceLatches) {
+  HealthyRobot robot;
+  robot.pass(5.0);
+  robot.stops[0].latched = true;
+  robot.pass(0.2);
+  robot.stops[1].latched = true;
+  const std::vector<Trouble> troubles = robot.pass(0.4);
+  ASSERT_EQ(troubles.size(), 1U);
+  EXPECT_EQ(troubles[0].subject, "arm, base");
+  EXPECT_EQ(identity_of(troubles[0]), identity_of({TroubleCode::kStopLatched, "arm", 0, "", ""}));
+}
+
 }  // namespace
 }  // namespace markservo::mmi
