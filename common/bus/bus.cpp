@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "common/bus/channel_expressions.hpp"
 #include "common/bus/clock_tolerance.hpp"
 #include "common/bus/end_signals.hpp"
 #include "common/bus/host_name.hpp"
@@ -27,18 +28,11 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr milliseconds kHeartbeat{1000};
-constexpr int kMaxDrain = 4096;        // messages per poll, so that a flood cannot starve the timers
+constexpr int kMaxDrain = 4096;  // messages per poll, so that a flood cannot starve the timers
+// Of who hears all channels: it has clients to serve between. Of nobody else: cut short, "the newest" would be an old
+// one.
+constexpr milliseconds kLongestDrain{10};
 constexpr milliseconds kNoBusNap{50};  // while there is nothing to listen to
-
-// LCM takes channels as regular expressions, anchored at both ends.
-std::string escape(const std::string& literal) {
-  std::string regex;
-  for (const char character : literal) {
-    if (std::string("\\^$.|?*+()[]{}").find(character) != std::string::npos) regex += '\\';
-    regex += character;
-  }
-  return regex;
-}
 
 void raw_handler(const lcm::ReceiveBuffer* buffer, const std::string& /*channel*/, Subscription* subscription) {
   subscription->receive(buffer->data, buffer->data_size);
@@ -53,7 +47,7 @@ class Echo final : public Subscription {
 };
 
 void subscribe_to(lcm::LCM& lcm, Subscription* subscription) {
-  lcm.subscribeFunction(escape(subscription->channel()), raw_handler, subscription);
+  lcm.subscribeFunction(expression_of(subscription->channel()), raw_handler, subscription);
 }
 
 }  // namespace
@@ -100,14 +94,9 @@ void Bus::subscribe_all(lcm::LCM& lcm) {
 }
 
 void Bus::subscribe_to_everything(lcm::LCM& lcm) {
-  const std::string prefix = parameters_.robot.empty() ? "" : escape(parameters_.robot + "/");
-  std::string large;
-  for (const channels::Entry& channel : channels::kAll) {
-    if (channel.large) large += (large.empty() ? "" : "|") + escape(channel.name);
-  }
-  lcm.subscribeFunction(prefix + "(" + large + ")", &Bus::receive_any, this)->setQueueCapacity(on_all_most_.large);
-  lcm.subscribeFunction(prefix + "(?!(" + large + ")$).*", &Bus::receive_any, this)
-      ->setQueueCapacity(on_all_most_.small);
+  const AllChannels all = all_channels(parameters_.robot);
+  lcm.subscribeFunction(all.large, &Bus::receive_any, this)->setQueueCapacity(on_all_most_.large);
+  lcm.subscribeFunction(all.others, &Bus::receive_any, this)->setQueueCapacity(on_all_most_.small);
 }
 
 void Bus::receive_any(const lcm::ReceiveBuffer* buffer, const std::string& channel, Bus* bus) {
@@ -167,6 +156,10 @@ int Bus::descriptor() const {
   return network_->in().descriptor();
 }
 
+int Bus::openings() const {
+  return network_->in().openings();
+}
+
 milliseconds Bus::until_next_timer(milliseconds limit) const {
   return replaying() ? limit : timers_.until_next(limit, steady_clock::now());
 }
@@ -197,7 +190,10 @@ bool Bus::handle_incoming(milliseconds timeout) {
   if (handled < 0 && (replaying() || told_to_end())) return false;  // the end of the log, or told to stop
   if (handled < 0 && errno != EINTR) network_->lose_input("it cannot be read any more", steady_clock::now());
   if (!replaying()) {
-    for (int count = 1; handled > 0 && count < kMaxDrain; ++count) handled = in.handle(milliseconds(0));
+    const auto end = on_all_ ? steady_clock::now() + kLongestDrain : steady_clock::time_point::max();
+    for (int count = 1; handled > 0 && count < kMaxDrain && steady_clock::now() < end; ++count) {
+      handled = in.handle(milliseconds(0));
+    }
   }
   return true;
 }

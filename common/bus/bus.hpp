@@ -90,7 +90,7 @@ class Bus final : private SubscriptionHost, private MessageSink {
   void on_raw(const std::string& channel, RawSubscription::Handler handler);
   // All channels (of the robot), as bytes, in the order in which they come, each message once: only for who shows them.
   // Messages of this kind are not counted in SERVICE_STATUS, nor is a writer's time taken from them. What `handler`
-  // throws is complained of.
+  // throws is complained of. A poll then ends after some 10 ms though messages wait: descriptor() stays readable.
   void on_all(WaitingMessages most, std::function<void(const HeardBytes& message)> handler);
   // Sends bytes as they are. False if the network refused them, which is counted.
   bool publish_raw(const std::string& channel, const void* data, std::size_t size);
@@ -132,8 +132,10 @@ class Bus final : private SubscriptionHost, private MessageSink {
   // Ends a log that is written in place of a bus. Throws LogNotWritten unless all that was published is in it.
   void finish();
   // Readable when messages wait: for who waits on more than this bus, with poll(2), and then calls poll(0).
-  // Another one after the network was gone; -1 while it is.
+  // Another one after the network was gone, though its number may be the same (openings()); -1 while it is.
   int descriptor() const;
+  // How often what is heard was opened: grows when descriptor() is another one.
+  int openings() const;
 
   // The newest utime on any subscribed channel, us: what "now" means to the algorithms; 0 before the first message.
   std::int64_t newest_utime() const override { return time_line_.newest(); }

@@ -85,6 +85,7 @@ bool Connection::try_to_open() {
     }
   }
   lcm_ = std::move(opened);
+  ++openings_;
   lost_ = false;
   trouble_.clear();
   refused_.lately = 0;

@@ -56,6 +56,8 @@ class Connection {
   lcm::LCM* lcm() const { return lcm_.get(); }
   // Readable when messages wait; -1 while there is no instance.
   int descriptor() const { return descriptor_; }
+  // How often it was opened.
+  int openings() const { return openings_; }
   bool is_open() const { return lcm_ != nullptr && !lost_; }
   // Why it is not open, and what to do; empty while it is.
   const std::string& trouble() const { return trouble_; }
@@ -71,6 +73,7 @@ class Connection {
   std::unique_ptr<lcm::LCM> lcm_;
   std::unique_ptr<LogOutput> log_;  // of a file:// URL that is written: then `lcm_` carries and hears nothing
   int descriptor_ = -1;
+  int openings_ = 0;
   bool lost_ = false;
   std::string trouble_;
   Time asked_{};

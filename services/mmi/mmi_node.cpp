@@ -15,10 +15,11 @@
 namespace markservo::mmi {
 namespace {
 
-std::string address_of(const ListenPlace& place) {
-  if (place.is_path()) return place.path;
-  const bool is_ipv6 = place.address.find(':') != std::string::npos;
-  return "http://" + (is_ipv6 ? "[" + place.address + "]" : place.address) + ":" + std::to_string(place.port);
+// Without stop devices nothing would ever have echoed: Stop would never end.
+void check_stop_devices(const robot::RobotDescription& robot, const std::string& robot_file) {
+  if (robot.stop_devices.empty()) {
+    throw ConfigurationError(robot_file + ": stop_devices is empty; allowed: what moves, so that it can be stopped");
+  }
 }
 
 }  // namespace
@@ -34,7 +35,10 @@ void MmiNode::configure(const std::string& robot_file) {
   }
   if (options_.page.empty()) options_.page = default_page_folder();
   // A recording brings its own robot.
-  if (options_.log.empty()) robot_ = robot::load_robot_description(robot_file);
+  if (options_.log.empty()) {
+    robot_ = robot::load_robot_description(robot_file);
+    check_stop_devices(robot_, robot_file);
+  }
 }
 
 std::string MmiNode::hello(const robot::RobotDescription& robot, const nlohmann::ordered_json& own) const {
@@ -80,11 +84,12 @@ void MmiNode::show_log(const std::string& robot) {
         {"note", recorded.note}}}};
   SiteNode site(source, hello(*recorded.description, own), PageFiles(options_.page), {options_.hosts, token_});
   bus::note_end_signals(true);
-  logging::info("{} at {}", options_.log, address_of(place_));
-  serve(site, place_, nullptr, [&source] {
-    source.read_on();
-    return !bus::told_to_end();
-  });
+  serve(
+      site, place_, [] { return Heard{}; },
+      [&source] {
+        source.read_on();
+        return !bus::told_to_end();
+      });
 }
 
 void MmiNode::start(bus::Bus& bus) {
@@ -100,12 +105,16 @@ void MmiNode::run(bus::Bus& bus) {
   PageFiles page(options_.page);
   if (!page.is_built()) logging::warn("there is no page in {}: build it with scripts/build, by npm", options_.page);
   SiteNode site(*live_, hello(robot_, own), std::move(page), {options_.hosts, token_});
-  logging::info("the page is at {}", address_of(place_));
-  serve(site, place_, &bus, [this, &bus] {
-    if (!bus.poll(std::chrono::milliseconds(0))) return false;
-    live_->tick();
-    return true;
-  });
+  serve(
+      site, place_,
+      [&bus] {
+        return Heard{bus.descriptor(), bus.openings()};
+      },
+      [this, &bus] {
+        if (!bus.poll(std::chrono::milliseconds(0))) return false;
+        live_->tick();
+        return true;
+      });
 }
 
 }  // namespace markservo::mmi

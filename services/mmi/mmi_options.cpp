@@ -6,6 +6,7 @@
 
 #include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
+#include "services/mmi/server/client_word.hpp"
 #include "services/mmi/server/request_rules.hpp"
 
 namespace markservo::mmi {
@@ -77,11 +78,20 @@ bool is_private(const ListenPlace& place) {
 }
 
 std::string read_token(const std::string& path) {
-  std::ifstream file(path);
-  std::string token;
-  if (!file || !std::getline(file, token)) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(kLongestText + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file.is_open() || file.bad()) {
     throw ConfigurationError("--token-file " + path + ": cannot be read; allowed: a file with a secret");
   }
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.empty()) throw ConfigurationError("--token-file " + path + ": is empty; allowed: a file with a secret");
+  if (text.size() > kLongestText) {
+    throw ConfigurationError("--token-file " + path + ": more than " + std::to_string(kLongestText) +
+                             " bytes; allowed: up to so many, the secret in the first line");
+  }
+  std::string token = text.substr(0, text.find('\n'));
+  if (!token.empty() && token.back() == '\r') token.pop_back();
   if (token.size() < kShortestToken) {
     throw ConfigurationError("--token-file " + path + ": " + std::to_string(token.size()) +
                              " characters; allowed: at least " + std::to_string(kShortestToken));

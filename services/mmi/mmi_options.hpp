@@ -29,7 +29,7 @@ ListenPlace listen_place(const std::string& text);
 // Whether only this host can reach it.
 bool is_private(const ListenPlace& place);
 
-// The token in `path`: its first line, 16 characters or more. Throws ConfigurationError.
+// The token in `path`, a file of up to 512 bytes: its first line, 16 characters or more. Throws ConfigurationError.
 std::string read_token(const std::string& path);
 
 // Where the page is that was built with this program, or installed beside it.

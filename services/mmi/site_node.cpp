@@ -16,6 +16,10 @@ Answer json_answer(const nlohmann::ordered_json& json) {
   return {200, "application/json", std::make_shared<const std::string>(reflection::json_text(json))};
 }
 
+std::string path_of(const RequestHead& request) {
+  return request.target.substr(0, request.target.find('?'));
+}
+
 }  // namespace
 
 SiteNode::SiteNode(Source& source, std::string hello, PageFiles page, RequestRules rules)
@@ -31,10 +35,11 @@ std::unique_ptr<Conversation> SiteNode::converse() {
 }
 
 Answer SiteNode::answer(const RequestHead& request) {
-  const std::string refused = rules_.refusal(request);
+  const std::string path = path_of(request);
+  const Answer* file = page_.find(path);
+  const std::string refused = rules_.refusal(request, file != nullptr);
   if (!refused.empty()) return plain(403, refused);
-  const std::string path = request.target.substr(0, request.target.find('?'));
-  if (const Answer* file = page_.find(path)) return *file;
+  if (file != nullptr) return *file;
   const bool is_known =
       path == "/state.json" || path == "/channels.json" || path == "/frame/left.jpg" || path == "/frame/right.jpg";
   if (!is_known) return plain(404, "nothing here; allowed: /, /state.json, /channels.json, /frame/left.jpg, /socket");
@@ -42,6 +47,12 @@ Answer SiteNode::answer(const RequestHead& request) {
   if (path == "/state.json") return state();
   if (path == "/channels.json") return channels();
   return picture(path == "/frame/left.jpg");
+}
+
+std::string SiteNode::refusal(const RequestHead& request) const {
+  const std::string path = path_of(request);
+  if (path != "/socket") return "a WebSocket at '" + path + "'; allowed: /socket";
+  return rules_.refusal(request);
 }
 
 Answer SiteNode::state() const {

@@ -20,7 +20,7 @@ class SiteNode final : public WebSite, private FeedHost {
   void count(const Refusals& refusals) { refusals_ = &refusals; }
 
   Answer answer(const RequestHead& request) override;
-  std::string refusal(const RequestHead& request) const override { return rules_.refusal(request); }
+  std::string refusal(const RequestHead& request) const override;
   std::unique_ptr<Conversation> converse() override;
 
  private:

@@ -31,17 +31,22 @@ bool is_loopback_name(std::string_view host) {
   return name == "localhost" || name == "[::1]" || is_ipv4_loopback(name) || ends_with(name, ".localhost");
 }
 
-std::string RequestRules::refusal(const RequestHead& request) const {
-  if (request.method != "GET" && request.method != "HEAD") return "method " + request.method + "; allowed: GET";
+std::string RequestRules::refusal(const RequestHead& request, bool is_page) const {
+  if (request.method != "GET" && request.method != "HEAD") {
+    return "method " + request.method + "; allowed: GET, HEAD";
+  }
   const std::string name = host_without_port(request.host);
   if (!is_loopback_name(request.host) && std::find(hosts.begin(), hosts.end(), name) == hosts.end()) {
     return "Host is '" + request.host + "'; allowed: a loopback name, or one given by --host";
   }
-  if (request.origin && *request.origin != "http://" + request.host && *request.origin != "https://" + request.host) {
+  if (request.origin && *request.origin != "http://" + request.host) {
     return "Origin is '" + *request.origin + "'; allowed: the page's own, http://" + request.host;
   }
   // Pictures and scripts are fetched by a foreign page without an Origin, but browsers say whose they are.
-  if (!request.fetch_site.empty() && request.fetch_site != "same-origin" && request.fetch_site != "none") {
+  const bool is_followed_link =
+      is_page && !request.upgrade && request.fetch_mode == "navigate" && request.fetch_destination == "document";
+  const bool is_own = request.fetch_site.empty() || request.fetch_site == "same-origin" || request.fetch_site == "none";
+  if (!is_own && !is_followed_link) {
     return "asked by a page of another site (Sec-Fetch-Site: " + request.fetch_site + "); allowed: the page's own";
   }
   if (request.upgrade && !request.origin && !request.by_path) {

@@ -14,8 +14,9 @@ struct RequestRules {
   std::vector<std::string> hosts;  // allowed besides loopback names, without port, in lower case
   std::string token;               // empty: none is asked
 
-  // Why `request` is refused; empty when it may be answered. Asks for no token.
-  std::string refusal(const RequestHead& request) const;
+  // Why `request` is refused; empty when it may be answered. Asks for no token. `is_page`: for a file of the page,
+  // which tells nothing and does nothing: it may be opened by another site's link, in a window of its own.
+  std::string refusal(const RequestHead& request, bool is_page = false) const;
   // Whether `given` is the token, or none is asked; in a time that does not tell how much of it is right.
   bool admits(std::string_view given) const;
 };

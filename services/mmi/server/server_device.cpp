@@ -1,15 +1,22 @@
 #include "services/mmi/server/server_device.hpp"
 
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <cerrno>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
 #include <system_error>
-#include <vector>
+#include <utility>
 
 #include "common/robot/configuration_error.hpp"
 #include "services/mmi/server/connections_device.hpp"
@@ -38,8 +45,8 @@ class Door final : public std::enable_shared_from_this<Door<Protocol>> {
     acceptor_.async_accept([self = this->shared_from_this()](error_code error, typename Protocol::socket socket) {
       if (error == asio::error::operation_aborted) return;
       if (!error) {
+        self->open();  // first: what one connection throws must not close the door
         serve_connection(std::move(socket), self->shared_);
-        self->open();
         return;
       }
       // No descriptor is left, for instance: connections that end give theirs back.
@@ -64,17 +71,52 @@ class Door final : public std::enable_shared_from_this<Door<Protocol>> {
   std::shared_ptr<ServerShared> shared_;
 };
 
+// The error of a connection to `path`; 0: somebody listens. Waits for nobody: a listener that is busy has EAGAIN.
+int knock(const std::string& path) {
+  const int knocking = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  if (knocking < 0) return errno;
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof address.sun_path - 1);
+  const bool connected = ::connect(knocking, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  const int error = connected ? 0 : errno;
+  ::close(knocking);
+  return error;
+}
+
 // A socket that nobody listens at any more, of a program that was killed, is in the way of the next.
-void remove_dead_socket(asio::io_context& io, const std::string& path) {
+void remove_dead_socket(const std::string& path) {
   struct stat found {};
   if (::lstat(path.c_str(), &found) != 0) return;
   if (!S_ISSOCK(found.st_mode)) throw ConfigurationError("--listen " + path + ": is no socket; allowed: a new path");
-  asio::local::stream_protocol::socket probe(io);
-  error_code error;
-  probe.connect(asio::local::stream_protocol::endpoint(path), error);
-  if (!error) throw ConfigurationError("--listen " + path + ": somebody listens there already; allowed: another path");
-  ::unlink(path.c_str());
+  const int error = knock(path);
+  if (error == ECONNREFUSED) {
+    ::unlink(path.c_str());
+  } else if (error == 0 || error == EAGAIN) {
+    throw ConfigurationError("--listen " + path + ": somebody listens there already; allowed: another path");
+  } else {
+    throw ConfigurationError("--listen " + path + ": a socket is there, of which nobody knows whether it is in use: " +
+                             std::generic_category().message(error) + "; allowed: another path");
+  }
 }
+
+// The socket that a server made, as long as it is there: its path may be another's by then.
+class OwnSocket {
+ public:
+  explicit OwnSocket(std::string path) : path_(std::move(path)) { is_made_ = ::lstat(path_.c_str(), &made_) == 0; }
+  ~OwnSocket() {
+    struct stat found {};
+    const bool is_there = is_made_ && ::lstat(path_.c_str(), &found) == 0;
+    if (is_there && found.st_dev == made_.st_dev && found.st_ino == made_.st_ino) ::unlink(path_.c_str());
+  }
+  OwnSocket(const OwnSocket&) = delete;
+  OwnSocket& operator=(const OwnSocket&) = delete;
+
+ private:
+  std::string path_;
+  struct stat made_ {};
+  bool is_made_ = false;
+};
 
 }  // namespace
 
@@ -82,7 +124,7 @@ struct Server::State {
   std::shared_ptr<ServerShared> shared;
   std::shared_ptr<Door<asio::ip::tcp>> tcp;
   std::shared_ptr<Door<asio::local::stream_protocol>> local;
-  std::string path;
+  std::optional<OwnSocket> own;
 };
 
 Server::Server(asio::io_context& io, const ListenPlace& place, ServerParameters parameters, WebSite& site)
@@ -90,13 +132,13 @@ Server::Server(asio::io_context& io, const ListenPlace& place, ServerParameters 
   state_->shared = std::make_shared<ServerShared>(std::move(parameters), site);
   try {
     if (place.is_path()) {
-      remove_dead_socket(io, place.path);
+      remove_dead_socket(place.path);
       const ::mode_t before = ::umask(0077);  // for its owner alone, from its first moment
       const auto restore = std::unique_ptr<const ::mode_t, void (*)(const ::mode_t*)>(
           &before, [](const ::mode_t* mask) { ::umask(*mask); });
       state_->local = std::make_shared<Door<asio::local::stream_protocol>>(
           io, asio::local::stream_protocol::endpoint(place.path), state_->shared);
-      state_->path = place.path;
+      state_->own.emplace(place.path);
       state_->local->open();
       return;
     }
@@ -112,10 +154,10 @@ Server::Server(asio::io_context& io, const ListenPlace& place, ServerParameters 
 }
 
 Server::~Server() {
+  state_->own.reset();  // while it listens: later the path may be another's, who found nobody there
   if (state_->tcp) state_->tcp->close();
   if (state_->local) state_->local->close();
   state_->shared->end();
-  if (!state_->path.empty()) ::unlink(state_->path.c_str());
 }
 
 void Server::wake() {

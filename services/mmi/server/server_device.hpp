@@ -24,10 +24,14 @@ struct ListenPlace {
 };
 
 struct ServerParameters {
-  int most_clients = 64;                // connections at once
+  int most_clients = 64;                // connections at once; then one more takes the place of the longest idle
   std::size_t largest_header = 8192;    // bytes: a browser's has about 1,000
   std::size_t largest_message = 65536;  // bytes, of a client
-  double patience = 10.0;               // s, to say what is wanted
+  double patience = 10.0;               // s, to say what is wanted, or to take some more of an answer
+  double safe_silence = 20.0;      // s: a page says several times a second what it has taken in. Who has said nothing
+                                   // for so long keeps its place only while there are others
+  double longest_silence = 120.0;  // s without a word, not even an answer to a ping, after which a WebSocket is
+                                   // ended: who does not read for a minute is behind, not gone
   std::string content_security_policy;
 };
 

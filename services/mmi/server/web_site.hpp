@@ -17,9 +17,11 @@ struct RequestHead {
   std::string host;    // the header; empty where there is none
   std::optional<std::string> origin;
   std::string fetch_site;  // Sec-Fetch-Site, which browsers send; empty where there is none
-  std::string bearer;      // of "Authorization: Bearer ..."; empty where there is none
-  bool upgrade = false;    // asks for a WebSocket
-  bool by_path = false;    // came by a socket with a path
+  std::string fetch_mode;  // Sec-Fetch-Mode and Sec-Fetch-Dest, likewise
+  std::string fetch_destination;
+  std::string bearer;    // of "Authorization: Bearer ..."; empty where there is none
+  bool upgrade = false;  // asks for a WebSocket
+  bool by_path = false;  // came by a socket with a path
 };
 
 struct Answer {
@@ -51,9 +53,9 @@ class Conversation {
 // What was refused, since the start.
 struct Refusals {
   std::int64_t requests = 0;     // a Host, an Origin or a method that is not allowed, or no token
-  std::int64_t malformed = 0;    // no HTTP, a header too large, a message too large or none of the protocol
-  std::int64_t slow = 0;         // did not speak in time
-  std::int64_t connections = 0;  // beyond the most
+  std::int64_t malformed = 0;    // no HTTP or WebSocket, a header or message too large, a message none of the protocol
+  std::int64_t slow = 0;         // did not speak, or take its answer, in time
+  std::int64_t connections = 0;  // beyond the most: turned away, or given the place of one that was idle
   std::int64_t behind = 0;       // fell too far behind
 };
 

@@ -1,6 +1,10 @@
+#include <poll.h>
+
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <markservo/StopState.hpp>
+#include <thread>
 
 #include "tests/unit/bus/bus_fixture.hpp"
 
@@ -167,6 +171,52 @@ TEST_F(BusDelivery, OfAllChannelsHandsOverLargeOnesOnceAndAmongTheOthers) {
   settle(bus);
   EXPECT_EQ(channels, (std::vector<std::string>{"r.1/A", "r.1/STEREO_FRAME", "r.1/STEREO_FRAME_OF_OTHERS",
                                                 "r.1/MARK_DETECTION", "r.1/B"}));
+}
+
+TEST_F(BusDelivery, OfAllChannelsGivesOthersATurnAndStaysReadable) {
+  Bus bus(parameters());
+  int heard = 0;
+  bus.on_all({10, 100}, [&](const HeardBytes& /*message*/) {
+    ++heard;
+    std::this_thread::sleep_for(std::chrono::milliseconds(6));
+  });
+  constexpr int kSent = 20;
+  for (int i = 0; i < kSent; ++i) bus.publish_raw("A", "a", 1);
+  for (int before = 0; heard < kSent; before = heard) {
+    pollfd readable{bus.descriptor(), POLLIN, 0};
+    ASSERT_EQ(::poll(&readable, 1, 0), 1) << "after " << heard;
+    bus.poll(std::chrono::milliseconds(0));
+    ASSERT_GT(heard, before);
+    ASSERT_LE(heard, before + 3);  // 12 ms behind the first
+  }
+}
+
+TEST_F(BusDelivery, OfOneChannelHandsOverTheNewestHoweverManyWait) {
+  Bus bus(parameters());
+  int raw = 0;
+  std::vector<std::int64_t> seen;
+  bus.on_raw("A", [&](const void* /*data*/, std::size_t /*size*/) {
+    ++raw;
+    std::this_thread::sleep_for(std::chrono::milliseconds(6));
+    return true;
+  });
+  bus.on_latest(channels::kJointState, [&](const JointState& state) { seen.push_back(state.utime); });
+  auto publisher = bus.advertise(channels::kJointState);
+  for (std::int64_t utime = 1; utime <= 5; ++utime) {
+    auto state = joint_state(utime);
+    bus.publish_raw("A", "a", 1);
+    publisher.publish(state);
+  }
+  bus.poll(std::chrono::milliseconds(0));
+  EXPECT_EQ(raw, 5);
+  EXPECT_EQ(seen, std::vector<std::int64_t>{5});
+}
+
+TEST_F(BusDelivery, TellsHowOftenItWasOpened) {
+  Bus bus(parameters());
+  bus.on_raw("A", [](const void* /*data*/, std::size_t /*size*/) { return true; });
+  settle(bus);
+  EXPECT_EQ(bus.openings(), 1);
 }
 
 TEST_F(BusDelivery, OfAllChannelsGoesOnAfterAHandlerThrew) {

@@ -38,9 +38,25 @@ TEST(ListenPlace, IsPrivateOnLoopbackAndByAPath) {
 TEST(Token, IsTheFilesFirstLine) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(read_token(folder.write("token", "sixteen letters!\nmore")), "sixteen letters!");
-  EXPECT_THROW(read_token(folder.write("short", "guess me\n")), ConfigurationError);
-  EXPECT_THROW(read_token(folder.write("empty", "")), ConfigurationError);
-  EXPECT_THROW(read_token(folder.file("none")), ConfigurationError);
+  EXPECT_EQ(read_token(folder.write("of_windows", "sixteen letters!\r\n")), "sixteen letters!");
+  EXPECT_EQ(read_token(folder.write("longest", std::string(512, 'x'))), std::string(512, 'x'));
+}
+
+TEST(Token, IsRefusedWithWhatIsAllowed) {
+  const test::TemporaryFolder folder;
+  const auto refusal = [](const std::string& path) -> std::string {
+    try {
+      return "taken: " + read_token(path);
+    } catch (const ConfigurationError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_NE(refusal(folder.write("short", "guess me\n")).find("8 characters"), std::string::npos);
+  EXPECT_NE(refusal(folder.write("short2", "fifteen letters\r\n")).find("15 characters"), std::string::npos);
+  EXPECT_NE(refusal(folder.write("empty", "")).find("is empty"), std::string::npos);
+  EXPECT_NE(refusal(folder.write("large", std::string(513, 'x'))).find("more than 512 bytes"), std::string::npos);
+  EXPECT_NE(refusal(folder.file("none")).find("cannot be read"), std::string::npos);
+  EXPECT_NE(refusal(folder.file("")).find("cannot be read"), std::string::npos);
 }
 
 TEST(PageFiles, AreThoseOfTheFolderAndNoOthers) {

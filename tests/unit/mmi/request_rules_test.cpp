@@ -38,8 +38,8 @@ TEST(RequestRules, RefuseAnyOtherHost) {
 
 TEST(RequestRules, RefuseAnOriginThatIsNotTheHost) {
   EXPECT_EQ(refusal(request("127.0.0.1:8080", "http://127.0.0.1:8080")), "");
-  for (const char* origin : {"http://evil.example", "http://127.0.0.1:8081", "http://localhost:8080", "null", "",
-                             "http://127.0.0.1:8080.evil.example"}) {
+  for (const char* origin : {"http://evil.example", "https://127.0.0.1:8080", "http://127.0.0.1:8081",
+                             "http://localhost:8080", "null", "", "http://127.0.0.1:8080.evil.example"}) {
     EXPECT_NE(refusal(request("127.0.0.1:8080", origin)).find("Origin"), std::string::npos) << origin;
   }
 }
@@ -54,6 +54,28 @@ TEST(RequestRules, RefuseWhatAForeignPageFetchesWithoutAnOrigin) {
     head.fetch_site = foreign;
     EXPECT_NE(refusal(head), "") << foreign;
   }
+}
+
+TEST(RequestRules, LetALinkOfAnotherSiteOpenThePageAndNothingElse) {
+  RequestHead head = request("127.0.0.1:8080");
+  head.fetch_site = "cross-site";
+  head.fetch_mode = "navigate";
+  head.fetch_destination = "document";
+  const RequestRules rules;
+  EXPECT_EQ(rules.refusal(head, true), "");
+  EXPECT_NE(rules.refusal(head, false), "");
+  head.upgrade = true;
+  head.origin = "http://127.0.0.1:8080";
+  EXPECT_NE(rules.refusal(head, true), "");
+  head.upgrade = false;
+  head.fetch_destination = "iframe";
+  EXPECT_NE(rules.refusal(head, true), "");
+  head.fetch_destination = "document";
+  head.fetch_mode = "no-cors";
+  EXPECT_NE(rules.refusal(head, true), "");
+  head.fetch_mode = "navigate";
+  head.host = "evil.example";
+  EXPECT_NE(rules.refusal(head, true), "");
 }
 
 TEST(RequestRules, RefuseAWebSocketWithoutOriginUnlessItComesByAPath) {

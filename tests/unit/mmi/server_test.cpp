@@ -1,102 +1,13 @@
 #include "services/mmi/server/server_device.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/local/stream_protocol.hpp>
 #include <chrono>
-#include <deque>
-#include <list>
 
-#include "common/robot/configuration_error.hpp"
-#include "tests/unit/mmi/web_peer.hpp"
-#include "tests/unit/temporary_folder.hpp"
+#include "tests/unit/mmi/web_server.hpp"
 
 namespace markservo::mmi {
 namespace {
-
-// Answers "hello" to /, refuses foreign origins; says back what it hears, and what the test wants said.
-class SaysBack final : public WebSite {
- public:
-  class Talk final : public Conversation {
-   public:
-    explicit Talk(SaysBack& site) : site_(site) {}
-    std::string hear(std::string_view text) override {
-      greeted_ = true;
-      if (text == "nonsense") return "nonsense; allowed: sense";
-      waiting_.emplace_back(text);
-      return {};
-    }
-    bool greeted() const override { return greeted_; }
-    std::optional<OutgoingMessage> next() override {
-      if (site_.flood && greeted_) return OutgoingMessage{site_.flood, true};
-      if (waiting_.empty()) return std::nullopt;
-      OutgoingMessage message{std::make_shared<const std::string>(waiting_.front()), false};
-      waiting_.pop_front();
-      return message;
-    }
-    std::string trouble() const override { return site_.trouble; }
-
-   private:
-    SaysBack& site_;
-    std::deque<std::string> waiting_;
-    bool greeted_ = false;
-  };
-
-  Answer answer(const RequestHead& request) override {
-    last = request;
-    if (request.target != "/") return {404, "text/plain", std::make_shared<const std::string>("nothing here")};
-    return {200, "text/plain", std::make_shared<const std::string>("hello")};
-  }
-  std::string refusal(const RequestHead& request) const override {
-    return request.origin.value_or("") == "http://localhost" ? "" : "a foreign origin";
-  }
-  std::unique_ptr<Conversation> converse() override { return std::make_unique<Talk>(*this); }
-
-  RequestHead last;
-  std::shared_ptr<const std::string> flood;
-  std::string trouble;
-};
-
-class WebServer : public ::testing::Test {
- protected:
-  WebServer() {
-    parameters_.most_clients = 8;
-    parameters_.patience = 0.2;
-    parameters_.content_security_policy = "default-src 'none'";
-    server_ = std::make_unique<Server>(io_, ListenPlace{"", 0, path_}, parameters_, site_);
-  }
-
-  WebPeer& peer() { return peers_.emplace_back(path_); }
-
-  // Runs the server, and lets all receive, until `holds`; false if it never does.
-  bool until(const std::function<bool()>& holds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (std::chrono::steady_clock::now() < end) {
-      io_.restart();
-      io_.run_for(std::chrono::milliseconds(1));
-      server_->wake();
-      for (WebPeer& one : peers_) one.receive();
-      if (holds()) return true;
-    }
-    return false;
-  }
-  bool answers(WebPeer& peer, const std::string& text) {
-    return until([&] { return peer.received().find(text) != std::string::npos; });
-  }
-  bool ends(WebPeer& peer) {
-    return until([&] { return peer.ended(); });
-  }
-
-  boost::asio::io_context io_;
-  test::TemporaryFolder folder_;
-  std::string path_ = folder_.file("socket");
-  ServerParameters parameters_;
-  SaysBack site_;
-  std::unique_ptr<Server> server_;
-  std::list<WebPeer> peers_;
-};
 
 TEST_F(WebServer, AnswersRequestAfterRequest) {
   WebPeer& one = peer();
@@ -160,19 +71,6 @@ TEST_F(WebServer, LetsGoWhoFallsBehind) {
   EXPECT_EQ(server_->refusals().behind, 1);
 }
 
-TEST_F(WebServer, WaitsForNobodyWhoDoesNotSpeak) {
-  WebPeer& silent = peer();
-  WebPeer& slow = peer();
-  slow.send("GET / HT");
-  WebPeer& mute = peer();
-  mute.open_socket();
-  EXPECT_TRUE(ends(silent));
-  EXPECT_TRUE(ends(slow));
-  EXPECT_TRUE(ends(mute));
-  EXPECT_EQ(server_->refusals().slow, 3);
-  EXPECT_TRUE(until([&] { return server_->connections() == 0; }));
-}
-
 TEST_F(WebServer, RefusesWhatIsTooLargeOrNoHttp) {
   WebPeer& large = peer();
   large.get("/", "localhost", "X: " + std::string(9000, 'x') + "\r\n");
@@ -197,59 +95,53 @@ TEST_F(WebServer, EndsAConversationWithAMessageThatIsTooLarge) {
   EXPECT_EQ(server_->refusals().malformed, 1);
 }
 
-TEST_F(WebServer, TakesSoManyConnectionsAndNoMore) {
-  for (int i = 0; i < parameters_.most_clients; ++i) peer().get("/");
-  for (WebPeer& one : peers_) ASSERT_TRUE(answers(one, "hello"));
-  WebPeer& late = peer();
-  late.get("/");
-  EXPECT_TRUE(ends(late));
-  EXPECT_EQ(server_->refusals().connections, 1);
-  EXPECT_EQ(late.received(), "");
-}
-
-TEST_F(WebServer, IsHeldUpByNobodyWhoDoesNotRead) {
-  site_.flood = std::make_shared<const std::string>(1 << 20, 'x');
-  WebPeer& stalled = peers_.emplace_back(path_);
-  stalled.open_socket();
-  stalled.say("hello");
-  until([&] { return server_->conversations() == 1; });
-  std::list<WebPeer> others;
-  std::swap(others, peers_);  // nobody reads for it
-  WebPeer& quick = peer();
-  quick.get("/");
-  EXPECT_TRUE(answers(quick, "hello"));
-}
-
-TEST_F(WebServer, ListensForItsOwnerAlone) {
-  struct stat found {};
-  ASSERT_EQ(::stat(path_.c_str(), &found), 0);
-  EXPECT_EQ(found.st_mode & 0077U, 0U);
-}
-
-TEST_F(WebServer, ListensNowhereTwice) {
-  EXPECT_THROW(Server(io_, ListenPlace{"", 0, path_}, parameters_, site_), ConfigurationError);
-  EXPECT_THROW(Server(io_, ListenPlace{"", 0, folder_.write("file", "")}, parameters_, site_), ConfigurationError);
-  EXPECT_THROW(Server(io_, ListenPlace{"", 0, folder_.file("none/socket")}, parameters_, site_), ConfigurationError);
-}
-
-TEST_F(WebServer, TakesThePlaceOfOneThatWasKilled) {
-  const std::string left = folder_.file("left");
-  { boost::asio::local::stream_protocol::acceptor dead(io_, boost::asio::local::stream_protocol::endpoint(left)); }
-  const Server server(io_, ListenPlace{"", 0, left}, parameters_, site_);
-  EXPECT_NO_THROW(WebPeer{left});
-}
-
-TEST_F(WebServer, LeavesNothingWhenItEnds) {
+TEST_F(WebServer, AnswersHeadByWhatGetWouldHaveAndNoBody) {
   WebPeer& one = peer();
-  one.open_socket();
-  ASSERT_TRUE(answers(one, "101"));
-  server_.reset();
-  struct stat found {};
-  EXPECT_NE(::stat(path_.c_str(), &found), 0);
-  io_.restart();
-  io_.run_for(std::chrono::milliseconds(10));
-  one.receive();
-  EXPECT_TRUE(one.ended());
+  one.send("HEAD / HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  ASSERT_TRUE(answers(one, "\r\n\r\n"));
+  EXPECT_NE(one.received().find("Content-Length: 5\r\n"), std::string::npos);
+  one.forget();
+  one.get("/");
+  ASSERT_TRUE(answers(one, "hello"));
+  EXPECT_EQ(one.received().substr(0, 12), "HTTP/1.1 200");
+}
+
+TEST_F(WebServer, AnswersRequestsThatComeAtOnceOneAfterTheOther) {
+  WebPeer& one = peer();
+  const std::string get = "GET / HTTP/1.1\r\nHost: localhost\r\n\r\n";
+  one.send(get + get + "GET /other HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  ASSERT_TRUE(answers(one, "nothing here"));
+  const std::size_t first = one.received().find("hello");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_NE(one.received().find("hello", first + 1), std::string::npos);
+}
+
+TEST_F(WebServer, OpensNoWebSocketBeforeWhoseAnswerMoreIsSaid) {
+  WebPeer& one = peer();
+  one.send(WebPeer::socket_request() + "\x81\x82xxxx");
+  EXPECT_TRUE(answers(one, "400"));
+  EXPECT_TRUE(answers(one, "bytes behind a WebSocket's request"));
+  EXPECT_TRUE(ends(one));
+  EXPECT_EQ(server_->refusals().malformed, 1);
+}
+
+TEST_F(WebServer, CountsAHandshakeThatIsNone) {
+  WebPeer& one = peer();
+  one.get("/socket", "localhost",
+          "Origin: http://localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 7\r\n"
+          "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n");
+  EXPECT_TRUE(answers(one, "426"));
+  EXPECT_TRUE(ends(one));
+  EXPECT_EQ(server_->refusals().malformed, 1);
+}
+
+TEST_F(WebServer, LetsGoOfWhoCannotBeToldAndOfNobodyElse) {
+  WebPeer& other = talker("good morning");
+  ASSERT_TRUE(answers(other, "good morning"));
+  WebPeer& one = talker("throw");
+  EXPECT_TRUE(until([&] { return one.ended(); }));
+  other.say("good evening");
+  EXPECT_TRUE(answers(other, "good evening"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -32,14 +33,15 @@ class WebPeer {
   // Sends what goes; false when the server has hung up.
   bool send(const std::string& bytes) { return ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) > 0; }
 
-  // Takes what has come into received().
-  void receive() {
+  // Takes what has come into received(), up to `most` bytes of it.
+  void receive(std::size_t most = SIZE_MAX) {
     std::array<char, 65536> buffer{};
-    while (true) {
-      const ssize_t count = ::recv(socket_, buffer.data(), buffer.size(), 0);
+    while (most > 0) {
+      const ssize_t count = ::recv(socket_, buffer.data(), std::min(most, buffer.size()), 0);
       if (count == 0) ended_ = true;
       if (count <= 0) return;
       received_.append(buffer.data(), static_cast<std::size_t>(count));
+      most -= static_cast<std::size_t>(count);
     }
   }
   const std::string& received() const { return received_; }
@@ -49,12 +51,12 @@ class WebPeer {
   bool get(const std::string& target, const std::string& host = "localhost", const std::string& headers = "") {
     return send("GET " + target + " HTTP/1.1\r\nHost: " + host + "\r\n" + headers + "\r\n");
   }
-  bool open_socket(const std::string& origin = "http://localhost") {
-    return get("/socket", "localhost",
-               "Origin: " + origin +
-                   "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
-                   "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n");
+  static std::string socket_request(const std::string& origin = "http://localhost") {
+    return "GET /socket HTTP/1.1\r\nHost: localhost\r\nOrigin: " + origin +
+           "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+           "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
   }
+  bool open_socket(const std::string& origin = "http://localhost") { return send(socket_request(origin)); }
   // A text of the WebSocket (RFC 6455, 5.2), masked by zeros.
   bool say(const std::string& text) {
     std::string frame("\x81", 1);
