@@ -21,6 +21,8 @@ class BaseGoal;
 class BaseStatus;
 class JointCommand;
 class JointState;
+class LearnRequest;
+class LearnResult;
 class MarkDetection;
 class ProcessStatus;
 class RecorderStatus;
@@ -57,6 +59,16 @@ template <>
 struct MessageRules<MarkDetection> {
   static std::string violation(const MarkDetection& detection);
   static void clean_texts(MarkDetection& detection);
+};
+template <>
+struct MessageRules<LearnRequest> {
+  static std::string violation(const LearnRequest& request);
+  static void clean_texts(LearnRequest& request);
+};
+template <>
+struct MessageRules<LearnResult> {
+  static std::string violation(const LearnResult& result);
+  static void clean_texts(LearnResult& result);
 };
 template <>
 struct MessageRules<TargetPose> {

@@ -48,6 +48,7 @@ void MarkDetectorNode::add_options(CLI::App& app) {
 
   picture_.add_to(app);
   learn_.add_to(app);
+  learning_.add_to(app);
 }
 
 void MarkDetectorNode::configure(const std::string& robot_file) {
@@ -56,17 +57,17 @@ void MarkDetectorNode::configure(const std::string& robot_file) {
     throw ConfigurationError("--learn: with --image or --mark; allowed: a mark of --robot-file, without them");
   }
   robot_file_ = robot_file;
-  std::vector<robot::MarkDescription> marks;
+  marks_.clear();
   std::set<std::string> names;
   for (const std::string& text : mark_texts_) {
-    marks.push_back(parse_mark(text));
-    if (!names.insert(marks.back().name).second) {
+    marks_.push_back(parse_mark(text));
+    if (!names.insert(marks_.back().name).second) {
       throw ConfigurationError("--mark '" + text + "': named twice; allowed: a name of its own for each mark");
     }
   }
-  if (marks.size() > robot::kMaxMarks)
+  if (marks_.size() > robot::kMaxMarks)
     throw ConfigurationError("--mark: given more than 8 times; allowed: 1 to 8 marks");
-  if (marks.empty()) marks = robot::load_robot_description(robot_file).marks;
+  if (marks_.empty()) marks_ = robot::load_robot_description(robot_file).marks;
   picture_.check();
   parameters_.equalise = !no_equalise_;
   parameters_.adapt = !no_adapt_;
@@ -77,16 +78,13 @@ void MarkDetectorNode::configure(const std::string& robot_file) {
     const std::int64_t factor = std::max<std::int64_t>(usual.limit, parameters_.patch.limit);
     parameters_.patch.budget = usual.budget * factor * factor / (static_cast<std::int64_t>(usual.limit) * usual.limit);
   }
-  for (const std::string& line : told_of_overlaps(marks)) logging::warn("{}", line);
-  detector_.emplace(std::move(marks), parameters_);
+  for (const std::string& line : told_of_overlaps(marks_)) logging::warn("{}", line);
+  detector_.emplace(marks_, parameters_);
 }
 
 std::optional<int> MarkDetectorNode::run_alone(const std::string& /*robot*/) {
   if (learn_.wanted()) {
-    LearningParameters learning;
-    learning.equalise = parameters_.equalise;
-    learning.chroma_min = parameters_.chroma_min;
-    learn_.run(robot_file_, learning, parameters_);
+    learn_.run(robot_file_, learning_parameters(), parameters_);
     return bus::kExitStopped;
   }
   if (!picture_.wanted()) return std::nullopt;
@@ -98,9 +96,32 @@ void MarkDetectorNode::start(bus::Bus& bus) {
   publisher_.emplace(bus.advertise(channels::kMarkDetection));
   bus.on_latest(channels::kStereoFrame, [this](const StereoFrame& frame) { on_frame(frame); });
   bus.need(channels::kStereoFrame);
+  LearningSettings settings{robot_file_, learning_parameters(), parameters_, ""};
+  if (!mark_texts_.empty()) settings.obstacle = "mark-detector has marks of its own; allowed: without --mark";
+  learning_.start(bus, std::move(settings),
+                  [this](const std::string& mark, const robot::ColourInterval& colour) { return adopt(mark, colour); });
+}
+
+// As the detector sees.
+LearningParameters MarkDetectorNode::learning_parameters() const {
+  LearningParameters learning;
+  learning.equalise = parameters_.equalise;
+  learning.chroma_min = parameters_.chroma_min;
+  return learning;
+}
+
+bool MarkDetectorNode::adopt(const std::string& mark, const robot::ColourInterval& colour) {
+  const auto renewed =
+      std::find_if(marks_.begin(), marks_.end(), [&mark](const auto& one) { return one.name == mark; });
+  if (renewed == marks_.end()) return false;
+  renewed->colour = colour;
+  detector_.emplace(marks_, parameters_);
+  state_.emplace();
+  return true;
 }
 
 void MarkDetectorNode::on_frame(const StereoFrame& frame) {
+  learning_.observe(frame);
   // Unpacking a JPEG takes longer than finding the marks in it. Raw sides are not even copied: no thread for them.
   const auto policy = frame.encoding == StereoFrame::ENCODING_JPEG ? std::launch::async : std::launch::deferred;
   auto right_side =
@@ -112,7 +133,7 @@ void MarkDetectorNode::on_frame(const StereoFrame& frame) {
   input.right = view_of(right);
   const StereoCalibration& c = frame.calibration;
   input.stereo = geometry::StereoCamera{c.fx, c.fy, c.cx_left, c.cx_right, c.cy, c.baseline};
-  MarkDetection detection = make_message(frame, detector_->step(input, state_));
+  MarkDetection detection = make_message(frame, detector_->step(input, *state_));
   publisher_->publish(detection);
 }
 

@@ -1,17 +1,19 @@
 #pragma once
 
-// Reads STEREO_FRAME, writes MARK_DETECTION: one for each frame that is worked on. Or, without a bus, looks at a
-// picture or learns a mark's colour.
+// Reads STEREO_FRAME, writes MARK_DETECTION: one for each frame that is worked on. Learns a mark's colour for
+// LEARN_REQUEST. Or, without a bus, looks at a picture or learns a colour from it.
 
 #include <array>
 #include <markservo/channels.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/bus/service.hpp"
 #include "common/frames/jpeg_decoder.hpp"
 #include "services/mark-detector/learning/learn_options.hpp"
+#include "services/mark-detector/learning/learning_node.hpp"
 #include "services/mark-detector/mark_detector.hpp"
 #include "services/mark-detector/picture/picture_options.hpp"
 
@@ -26,6 +28,8 @@ class MarkDetectorNode final : public bus::Service {
 
  private:
   void on_frame(const StereoFrame& frame);
+  LearningParameters learning_parameters() const;
+  bool adopt(const std::string& mark, const robot::ColourInterval& colour);
 
   bool no_equalise_ = false;
   bool no_adapt_ = false;
@@ -36,10 +40,12 @@ class MarkDetectorNode final : public bus::Service {
   LearnOptions learn_;
 
   Parameters parameters_;
+  std::vector<robot::MarkDescription> marks_;  // that are looked for
   std::optional<MarkDetector> detector_;
-  State state_;
+  std::optional<State> state_{std::in_place};
   std::array<frames::JpegDecoder, 2> jpeg_decoders_;  // left, right: both at once
   std::optional<bus::Publisher<MarkDetection>> publisher_;
+  LearningNode learning_;
 };
 
 }  // namespace markservo::mark_detector

@@ -7,6 +7,8 @@
 #include <markservo/BaseStatus.hpp>
 #include <markservo/JointCommand.hpp>
 #include <markservo/JointState.hpp>
+#include <markservo/LearnRequest.hpp>
+#include <markservo/LearnResult.hpp>
 #include <markservo/MarkDetection.hpp>
 #include <markservo/ProcessStatus.hpp>
 #include <markservo/RecorderStatus.hpp>
@@ -35,9 +37,10 @@ namespace markservo::fuzz {
 template <class... Types>
 struct Channels {};
 
-using ChannelTypes = Channels<StereoFrame, MarkDetection, TargetPose, StereoMatches, ServoGoal, ServoStatus,
-                              JointCommand, JointState, TaskCommand, TaskState, StopRequest, StopState, ServiceStatus,
-                              SimControl, SimTruth, RfidTagHits, WheelOdometry, SonarScan, RobotPose, BaseGoal,
-                              BaseStatus, BaseCommand, SimBaseTruth, ProcessStatus, RecorderStatus>;
+using ChannelTypes =
+    Channels<StereoFrame, MarkDetection, TargetPose, StereoMatches, ServoGoal, ServoStatus, JointCommand, JointState,
+             TaskCommand, TaskState, StopRequest, StopState, ServiceStatus, SimControl, SimTruth, RfidTagHits,
+             WheelOdometry, SonarScan, RobotPose, BaseGoal, BaseStatus, BaseCommand, SimBaseTruth, ProcessStatus,
+             RecorderStatus, LearnRequest, LearnResult>;
 
 }  // namespace markservo::fuzz

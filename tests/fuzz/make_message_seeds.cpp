@@ -48,6 +48,42 @@ StereoFrame valid_message<StereoFrame>() {
   return frame;
 }
 
+template <>
+LearnRequest valid_message<LearnRequest>() {
+  LearnRequest request{};
+  request.session = 1;
+  request.request_id = 1;
+  request.mark = "red";
+  request.width = 8;
+  request.height = 8;
+  request.frame = valid_message<StereoFrame>();
+  request.piece = request.frame.left;
+  request.left_size = request.piece_size = request.frame.left_size;
+  request.frame.left.clear();
+  request.frame.right.clear();
+  request.frame.left_size = request.frame.right_size = 0;
+  return request;
+}
+
+template <>
+LearnResult valid_message<LearnResult>() {
+  auto result = numbered<LearnResult>();
+  result.mark = "red";
+  result.learned = 1;
+  result.hue_min_deg = 345.0;
+  result.hue_max_deg = 15.0;
+  result.saturation_max = 1.0;
+  result.value_max = 1.0;
+  result.covered = 1.0;
+  result.mask_width = 8;
+  result.mask_height = 8;
+  result.mask.resize(8, 0xff);
+  result.mask_size = static_cast<std::int32_t>(result.mask.size());
+  result.warnings.resize(1);
+  result.num_warnings = 1;
+  return result;
+}
+
 MarkView view() {
   MarkView view{};
   view.seen = 1;

@@ -1,6 +1,7 @@
 #include "services/mark-detector/learning/learn_options.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 #include <opencv2/core.hpp>
@@ -8,9 +9,6 @@
 
 #include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
-#include "services/mark-detector/colour/colour_overlap.hpp"
-#include "services/mark-detector/learning/file_replacement.hpp"
-#include "services/mark-detector/learning/learning_check.hpp"
 #include "services/mark-detector/learning/robot_file_edit.hpp"
 #include "services/mark-detector/picture/picture.hpp"
 #include "services/mark-detector/picture/picture_file.hpp"
@@ -44,9 +42,10 @@ void require_inside(const cv::Rect& box, const std::string& text, const cv::Mat&
                            std::to_string(image.cols) + " x " + std::to_string(image.rows) + " px");
 }
 
-robot::MarkDescription& find(robot::RobotDescription& robot, const std::string& name, const std::string& robot_file) {
+const robot::MarkDescription& find(const robot::RobotDescription& robot, const std::string& name,
+                                   const std::string& robot_file) {
   std::string names;
-  for (auto& mark : robot.marks) {
+  for (const auto& mark : robot.marks) {
     if (mark.name == name) return mark;
     names += (names.empty() ? "" : ", ") + mark.name;
   }
@@ -85,8 +84,8 @@ void LearnOptions::check() const {
 
 void LearnOptions::run(const std::string& robot_file, const LearningParameters& learning,
                        const Parameters& detection) const {
-  robot::RobotDescription robot = robot::load_robot_description(robot_file);
-  robot::MarkDescription& mark = find(robot, mark_, robot_file);
+  const robot::RobotDescription robot = robot::load_robot_description(robot_file);
+  const robot::MarkDescription& mark = find(robot, mark_, robot_file);
   std::vector<cv::Mat> images;  // owns the pixels
   std::vector<LearningPicture> pictures;
   for (std::size_t i = 0; i < images_.size(); ++i) {
@@ -96,37 +95,26 @@ void LearnOptions::run(const std::string& robot_file, const LearningParameters& 
     require_inside(box, box_text, images.back(), images_[i]);
     pictures.push_back({view_of(images.back()), box.x, box.y, box.width, box.height});
   }
-  const LearnedColour learned = learn_colour(pictures, learning);
-  if (!learned.failure.empty())
-    throw ConfigurationError("--box: " + learned.failure + "; '" + mark_ + "' stays as it is");
-
-  const robot::ColourInterval old = mark.colour;
-  mark.colour = learned.interval;
-  const MarkDetector detector(robot.marks, detection);  // before the file is touched: it may refuse
-  replace_file(robot_file, with_colour(read_file(robot_file), robot_file, mark_, learned.interval));
-  std::cout << mark_ << ", old: " << to_text(old) << "\n" << mark_ << ", new: " << to_text(learned.interval) << "\n";
   const auto number = static_cast<std::size_t>(&mark - robot.marks.data());
-  warn_of_pictures(detector, number, pictures, learned);
-  warn_of_overlaps(robot);
+  const MarkLearning learned = learn_mark(robot.marks, number, pictures, learning, detection);
+  const LearnedColour& colour = learned.colour;
+  if (!colour.failure.empty())
+    throw ConfigurationError("--box: " + colour.failure + "; '" + mark_ + "' stays as it is");
+
+  write_colour(robot_file, mark_, colour.interval);
+  std::cout << mark_ << ", old: " << to_text(mark.colour) << "\n"
+            << mark_ << ", new: " << to_text(colour.interval) << "\n";
+  warn(learned);
 }
 
-void LearnOptions::warn_of_pictures(const MarkDetector& detector, std::size_t mark,
-                                    const std::vector<LearningPicture>& pictures, const LearnedColour& learned) const {
-  if (!learned.doubt.empty()) std::cerr << "mark-detector: warning: " << mark_ << ": " << learned.doubt << "\n";
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const std::string doubt = doubt_about_learning(detector, mark, pictures[i], learned.mark_px2[i]);
-    if (doubt.empty()) continue;
-    std::cerr << "mark-detector: warning: " << mark_ << " in '" << images_[i] << "': " << doubt << "\n";
+void LearnOptions::warn(const MarkLearning& learned) const {
+  const auto say = [](const std::string& text) { std::cerr << "mark-detector: warning: " << text << "\n"; };
+  if (!learned.colour.doubt.empty()) say(mark_ + ": " + learned.colour.doubt);
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    const std::string& doubt = learned.views[i].doubt;
+    if (!doubt.empty()) say(mark_ + " in '" + images_[i] + "': " + doubt);
   }
-}
-
-void LearnOptions::warn_of_overlaps(const robot::RobotDescription& robot) const {
-  const robot::MarkDescription& mark = *robot.find_mark(mark_);
-  for (const auto& other : robot.marks) {
-    if (other.name == mark_ || !overlap(mark.colour, other.colour)) continue;
-    std::cerr << "mark-detector: warning: " << mark_ << " overlaps " << other.name << ", " << to_text(other.colour)
-              << ": what has both colours is taken for both\n";
-  }
+  for (const OverlappingMark& other : learned.overlaps) say(other.text);
 }
 
 }  // namespace markservo::mark_detector

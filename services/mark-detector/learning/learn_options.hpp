@@ -3,11 +3,11 @@
 // mark-detector --learn NAME --box x,y,w,h IMAGE...: writes a mark's colour, as pictures show it, into the robot's
 // file.
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "services/mark-detector/learning/colour_learning.hpp"
+#include "services/mark-detector/learning/mark_learning.hpp"
 #include "services/mark-detector/mark_detector.hpp"
 
 namespace CLI {
@@ -32,9 +32,7 @@ class LearnOptions {
   void run(const std::string& robot_file, const LearningParameters& learning, const Parameters& detection) const;
 
  private:
-  void warn_of_pictures(const MarkDetector& detector, std::size_t mark, const std::vector<LearningPicture>& pictures,
-                        const LearnedColour& learned) const;
-  void warn_of_overlaps(const robot::RobotDescription& robot) const;
+  void warn(const MarkLearning& learned) const;
 
   std::string mark_;
   std::vector<std::string> boxes_;

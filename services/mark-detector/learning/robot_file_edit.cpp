@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/robot/configuration_error.hpp"
+#include "services/mark-detector/learning/file_replacement.hpp"
 
 namespace markservo::mark_detector {
 namespace {
@@ -125,6 +126,10 @@ std::string with_colour(const std::string& text, const std::string& path, const 
     fail(path, mark, "its colour is shared with another place (an alias); allowed: a colour of its own");
   }
   return edited;
+}
+
+void write_colour(const std::string& path, const std::string& mark, const robot::ColourInterval& colour) {
+  replace_file(path, with_colour(read_file(path), path, mark, colour));
 }
 
 }  // namespace markservo::mark_detector

@@ -40,8 +40,8 @@ TEST(Channels, OnlyPicturesTruthAndWordsFeedNoMotion) {
   for (const Entry& entry : kAll) {
     if (!entry.feeds_motion) harmless.insert(entry.name);
   }
-  EXPECT_EQ(harmless, (std::set<std::string>{"PROCESS_STATUS", "RECORDER_STATUS", "SERVICE_STATUS", "SIM_BASE_TRUTH",
-                                             "SIM_TRUTH", "STEREO_MATCHES", "TASK_STATE"}));
+  EXPECT_EQ(harmless, (std::set<std::string>{"LEARN_RESULT", "PROCESS_STATUS", "RECORDER_STATUS", "SERVICE_STATUS",
+                                             "SIM_BASE_TRUTH", "SIM_TRUTH", "STEREO_MATCHES", "TASK_STATE"}));
 }
 
 TEST(Channels, NoTypeBothMovesAndDoesNot) {

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <functional>
 #include <markservo/BaseStatus.hpp>
+#include <markservo/LearnRequest.hpp>
+#include <markservo/LearnResult.hpp>
 #include <markservo/MarkDetection.hpp>
 #include <markservo/ProcessStatus.hpp>
 #include <markservo/RecorderStatus.hpp>
@@ -73,6 +75,20 @@ TEST(TextRules, HoldForEveryTextThatATypeDeclares) {
   texts_tried = 0;
   expect_checked<BaseStatus>(
       "reason", {}, [](auto& m) -> auto& { return m.reason; });
+  LearnRequest learn{};
+  learn.session = learn.request_id = 1;
+  expect_checked<LearnRequest>(
+      "mark", learn, [](auto& m) -> auto& { return m.mark; });
+  LearnResult learned{};
+  learned.warnings.resize(1);
+  expect_checked<LearnResult>(
+      "mark", learned, [](auto& m) -> auto& { return m.mark; });
+  expect_checked<LearnResult>(
+      "reason", learned, [](auto& m) -> auto& { return m.reason; });
+  expect_checked<LearnResult>(
+      "warnings.overlaps", learned, [](auto& m) -> auto& { return m.warnings[0].overlaps; });
+  expect_checked<LearnResult>(
+      "warnings.text", learned, [](auto& m) -> auto& { return m.warnings[0].text; });
   MarkDetection detection = with_one<MarkDetection>();
   expect_checked<MarkDetection>(
       "marks.name", detection, [](auto& m) -> auto& { return m.marks[0].name; });

@@ -374,57 +374,5 @@ TEST(BaseReports, ForgetAnotherWorld) {
   EXPECT_EQ(reports.before(10'000)->utime, 100);
 }
 
-TEST(DriveOnly, BringsTheRobotThereAndTakesNothing) {
-  FakeRobot robot = robot_before_the_dock();
-  robot.send_drive_only(kDock);
-  ASSERT_TRUE(robot.run_until(Phase::kDone)) << name_of(robot.last().phase) << ": " << robot.last().reason;
-  EXPECT_EQ(robot.phases(), (std::vector<Phase>{Phase::kIdle, Phase::kDrive, Phase::kDone}));
-  EXPECT_EQ(robot.last().reason, "arrived");
-  EXPECT_EQ(robot.last().target, "");
-  EXPECT_NEAR(robot.way_of_base(), 1.0, 1e-6);
-  EXPECT_FALSE(robot.drive_goal().drive);
-  EXPECT_EQ(robot.reckless(), "");
-}
-
-TEST(DriveOnly, NeedsNoHandMarkAndNoTarget) {
-  robot::RobotDescription description = default_robot();
-  description.marks.clear();
-  FakeRobot robot(description);
-  robot.base_pose.y = 0.05;
-  robot.send_drive_only(kDock);
-  EXPECT_TRUE(robot.run_until(Phase::kDone)) << robot.last().reason;
-}
-
-TEST(DriveOnly, IsRefusedAsAnyDriveIs) {
-  FakeRobot off_the_tags;
-  off_the_tags.send_drive_only({50.0, 0.0, 0.0});
-  ASSERT_TRUE(off_the_tags.run_until(Phase::kRefused, 1.0));
-  EXPECT_NE(off_the_tags.last().reason.find("leaves the floor's tags"), std::string::npos);
-
-  FakeRobot holding;
-  holding.send(CommandKind::kStart, "red_book");
-  ASSERT_TRUE(holding.run_until(Phase::kHoldLifted));
-  holding.send_drive_only(kDock);
-  ASSERT_TRUE(holding.run_until(Phase::kRefused, 1.0));
-  EXPECT_EQ(holding.way_of_base(), 0.0);
-
-  robot::RobotDescription description = default_robot();
-  description.base.reset();
-  FakeRobot without_base(description);
-  without_base.send_drive_only(kDock);
-  ASSERT_TRUE(without_base.run_until(Phase::kRefused, 1.0));
-}
-
-TEST(DriveOnly, IsEndedByAbort) {
-  FakeRobot robot = robot_before_the_dock();
-  robot.send_drive_only(kDock);
-  robot.run_for(1.0);
-  robot.send(CommandKind::kAbort);
-  ASSERT_TRUE(robot.run_until(Phase::kStopped, 1.0));
-  const double way = robot.way_of_base();
-  robot.run_for(2.0);
-  EXPECT_NEAR(robot.way_of_base(), way, 1e-9);
-}
-
 }  // namespace
 }  // namespace markservo::task_manager
