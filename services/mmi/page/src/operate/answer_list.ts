@@ -40,6 +40,7 @@ export class AnswerList {
       entry.fate = answer.state;
       entry.code = answer.code;
       entry.text = answer.text;
+      if (!kOpenFates.includes(entry.fate)) this.told.delete(entry.seq);
     }
   }
 

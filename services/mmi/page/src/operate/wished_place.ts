@@ -1,11 +1,11 @@
 import type {Pose} from '../drawing/geometry.js';
 
-/** m and rad: what is pointed at is no finer than this, and what is shown is what is sent. */
+/** m, and a degree in rad: what is pointed at is no finer than this, and what is shown is what is sent. */
 const kGrid = 0.01;
-const kAngleGrid = Math.PI / 180;
-/** m and rad that a key moves and turns it. */
+const kDegree = Math.PI / 180;
+/** m, and degrees, that a key moves and turns it. */
 const kStep = 0.05;
-const kTurn = (5 * Math.PI) / 180;
+const kTurn_deg = 5;
 /** m; mmi takes no place that is farther. */
 const kFarthest = 1e4;
 
@@ -16,16 +16,16 @@ const kMoves: Record<string, [number, number]> = {
   ArrowDown: [0, -1],
 };
 
-/** In (-pi, pi]. */
-function wrapped(angle: number): number {
-  const turned = angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
-  return turned <= -Math.PI ? turned + 2 * Math.PI : turned;
+/** rad in (-pi, pi]. */
+function headingOf(degrees: number): number {
+  const turned = degrees - 360 * Math.round(degrees / 360);
+  return (turned === -180 ? 180 : turned) * kDegree;
 }
 
 function onGrid({x, y, heading}: Pose): Pose {
-  const round = (value: number, grid: number): number => Number((Math.round(value / grid) * grid).toFixed(9)) + 0;
-  const far = (value: number): number => Math.min(kFarthest, Math.max(-kFarthest, round(value, kGrid)));
-  return {x: far(x), y: far(y), heading: wrapped(round(heading, kAngleGrid))};
+  const round = (value: number): number => Number((Math.round(value / kGrid) * kGrid).toFixed(9)) + 0;
+  const near = (value: number): number => Math.min(kFarthest, Math.max(-kFarthest, round(value)));
+  return {x: near(x), y: near(y), heading: headingOf(Math.round(heading / kDegree))};
 }
 
 /** The place that is pointed at, m in W, with the heading of the one before. */
@@ -43,7 +43,7 @@ export function turnedTo(place: Pose, x: number, y: number): Pose {
 export function afterPlaceKey(place: Pose, key: string, shift: boolean): Pose | null {
   const move = kMoves[key];
   if (!move) return null;
-  if (shift) return onGrid({...place, heading: place.heading + kTurn * (move[1] - move[0])});
+  if (shift) return onGrid({...place, heading: place.heading + kTurn_deg * kDegree * (move[1] - move[0])});
   return onGrid({...place, x: place.x + kStep * move[0], y: place.y + kStep * move[1]});
 }
 
@@ -57,17 +57,17 @@ export interface PlaceTexts {
 export function textsOf(place: Pose | null): PlaceTexts {
   if (!place) return {x: '', y: '', heading: ''};
   const short = (value: number): string => String(Number(value.toFixed(3)) + 0);
-  return {x: short(place.x), y: short(place.y), heading: short((place.heading * 180) / Math.PI)};
+  return {x: short(place.x), y: short(place.y), heading: short(place.heading / kDegree)};
 }
 
 /** Null unless all three are numbers, and the place no farther than mmi takes. */
 export function placeOf(texts: PlaceTexts): Pose | null {
   const [x, y, degrees] = [texts.x, texts.y, texts.heading].map((text) => (text.trim() === '' ? NaN : Number(text)));
   const good = [x, y, degrees].every((value) => Math.abs(value!) <= kFarthest);
-  return good ? {x: x!, y: y!, heading: wrapped((degrees! * Math.PI) / 180)} : null;
+  return good ? {x: x!, y: y!, heading: headingOf(degrees!)} : null;
 }
 
 /** For people: 0.20, 0.95 m, 90°. */
 export function placeWords(place: Pose): string {
-  return `${place.x.toFixed(2)}, ${place.y.toFixed(2)} m, ${((place.heading * 180) / Math.PI).toFixed(0)}°`;
+  return `${place.x.toFixed(2)}, ${place.y.toFixed(2)} m, ${(place.heading / kDegree).toFixed(0)}°`;
 }
