@@ -70,6 +70,9 @@ class Dialogue {
   // Two answer as one: nothing that either says can be believed. `words` name them.
   void observe_conflict(const std::string& words) { two_ = words; }
 
+  // Whether the task has answered, and is followed to its end.
+  bool followed() const { return followed_.has_value(); }
+
   // What to do at `now`; to be called every 0.1 s or oftener, and no more after an ending.
   Step step(double now);
 

@@ -85,6 +85,11 @@ plan_launch() {
   if [[ $service == mmi ]] && ! grep -qE '^--listen(=|$)' <<<"${options[args]-}"; then
     arguments+=(--listen "$runtime_dir/page.sock")
   fi
+  # One for each start of the stack, whatever mmi's own restarts are; scripts/page gives it to the browser.
+  if [[ $service == mmi ]] && grep -qxE -- '--enable-commands' <<<"${options[args]-}" &&
+    ! grep -qE '^--command-token-file(=|$)' <<<"${options[args]-}"; then
+    arguments+=(--command-token-file "$runtime_dir/page.token")
+  fi
   if [[ -n ${options[robot]} ]]; then arguments+=(--robot "${options[robot]}"); fi
   if [[ -n ${options[lcm_url]} ]]; then arguments+=(--lcm-url "${options[lcm_url]}"); fi
   if [[ -n ${options[args]-} ]]; then mapfile -t -O ${#arguments[@]} arguments <<<"${options[args]}"; fi

@@ -36,8 +36,12 @@ class LiveShown final : public Shown {
 }  // namespace
 
 LiveSourceNode::LiveSourceNode(const robot::RobotDescription& robot, const std::string& tag_field,
-                               const text::TypedCommand& typed)
-    : world_(robot, tag_field, world_parameters(typed)), requester_(robot.stop_devices) {}
+                               const text::TypedCommand& typed, const std::string& command_token)
+    : world_(robot, tag_field, world_parameters(typed)), requester_(robot.stop_devices) {
+  if (command_token.empty()) return;
+  desk_.emplace(robot, command_token, [this] { return requester_.number_another(); });
+  commands_.emplace(*desk_, robot.stop_devices);
+}
 
 void LiveSourceNode::start(bus::Bus& bus) {
   bus_ = &bus;
@@ -45,6 +49,7 @@ void LiveSourceNode::start(bus::Bus& bus) {
   bus.on_each(channels::kStopState, [this](const StopState& state) { on_stop_state(state); });
   bus.on_each(channels::kStop, [this](const StopRequest& request) { on_stop(request); });
   stops_.emplace(bus.advertise(channels::kStop));
+  if (commands_) commands_->start(bus);
   bus.on_all(kMostWaiting, [this](const bus::HeardBytes& message) { on_message(message); });
 }
 
@@ -59,6 +64,7 @@ void LiveSourceNode::on_stop_state(const StopState& state) {
   report.answers_us = state.request_session == bus_->session() && state.request_id == requester_.request_id();
   report.reason = state.reason;
   requester_.observe(report, state.utime, steady_seconds());
+  if (commands_) commands_->observe(state);
 }
 
 void LiveSourceNode::on_stop(const StopRequest& request) {
@@ -91,6 +97,7 @@ void LiveSourceNode::send_stop() {
 void LiveSourceNode::tick() {
   const double now = steady_seconds();
   send_stop();
+  if (commands_) commands_->tick();
   world_.advance(wall_clock_us(), now);
   std::string text = reflection::json_text(stop_json(requester_.view(now)), -1);
   if (text != stop_state_.text) stop_state_ = {stop_state_.version + 1, std::move(text)};

@@ -8,17 +8,18 @@
 
 #include "common/bus/bus.hpp"
 #include "common/robot/robot_description.hpp"
+#include "services/mmi/control/command_sender_node.hpp"
 #include "services/mmi/source.hpp"
 #include "services/mmi/stop/stop_requester.hpp"
 
 namespace markservo::mmi {
 
-// The bus: heard by one subscription of all channels, and told STOP.
+// The bus: heard by one subscription of all channels, told STOP, and what an operator commands.
 class LiveSourceNode final : public Source {
  public:
-  // `typed`: as what a person knows the commands that mend.
+  // `typed`: as what a person knows the commands that mend. `command_token`: who shows it may command; empty: nobody.
   LiveSourceNode(const robot::RobotDescription& robot, const std::string& tag_field,
-                 const text::TypedCommand& typed = {});
+                 const text::TypedCommand& typed = {}, const std::string& command_token = {});
 
   // Subscribes and advertises. `bus` must outlive this.
   void start(bus::Bus& bus);
@@ -29,6 +30,7 @@ class LiveSourceNode final : public Source {
   WorldReader& world() override { return world_; }
   std::string stop(const std::string& reason) override;
   const VersionedText& stop_state() const override { return stop_state_; }
+  Desk* desk() override { return desk_ ? &*desk_ : nullptr; }
 
  private:
   void on_message(const bus::HeardBytes& message);
@@ -38,6 +40,8 @@ class LiveSourceNode final : public Source {
 
   WorldReader world_;
   StopRequester requester_;
+  std::optional<Desk> desk_;
+  std::optional<CommandSenderNode> commands_;
   VersionedText stop_state_;
   std::string prefix_;  // of the robot's channels
   bus::Bus* bus_ = nullptr;

@@ -33,6 +33,13 @@ void MmiNode::configure(const std::string& robot_file) {
     throw ConfigurationError("--listen " + options_.listen +
                              ": others reach it; allowed: a loopback address, a path, or with --token-file FILE");
   }
+  if (options_.enable_commands != !options_.command_token_file.empty()) {
+    throw ConfigurationError("--enable-commands and --command-token-file; allowed: both, or neither");
+  }
+  if (options_.enable_commands) {
+    if (!options_.log.empty()) throw ConfigurationError("--enable-commands: a log obeys nobody; allowed: without --log");
+    command_token_ = command_token(options_.command_token_file);
+  }
   if (options_.page.empty()) options_.page = default_page_folder();
   // A recording brings its own robot.
   if (options_.log.empty()) {
@@ -93,7 +100,7 @@ void MmiNode::show_log(const std::string& robot) {
 }
 
 void MmiNode::start(bus::Bus& bus) {
-  live_.emplace(robot_, options_.tag_field, typed_command());
+  live_.emplace(robot_, options_.tag_field, typed_command(), command_token_);
   live_->start(bus);
 }
 

@@ -29,6 +29,7 @@ class MmiNode final : public bus::Service {
   MmiOptions options_;
   ListenPlace place_;
   std::string token_;
+  std::string command_token_;  // empty: nobody commands
   std::string robot_file_;
   robot::RobotDescription robot_;
   std::optional<LiveSourceNode> live_;

@@ -1,8 +1,17 @@
 #include "services/mmi/mmi_options.hpp"
 
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "common/bus/options.hpp"
 #include "common/robot/configuration_error.hpp"
@@ -16,6 +25,18 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kShortestToken = 16;  // characters: nobody guesses it
 constexpr std::size_t kLongestPath = 107;   // bytes, of a socket (unix(7))
+
+constexpr std::size_t kTokenBytes = 16;  // 128 bits
+
+std::string random_token() {
+  std::array<unsigned char, kTokenBytes> bytes{};
+  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    throw ConfigurationError("no random bytes for a token: " + std::system_category().message(errno));
+  }
+  std::string token;
+  for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
+  return token;
+}
 
 fs::path programs_folder() {
   std::error_code none;
@@ -38,6 +59,11 @@ void add_options(CLI::App& app, MmiOptions& options) {
   add.option("--token-file", options.token_file,
              "A file with a secret of 16 characters or more: who sees anything but the page's files must have it "
              "(http://.../#token=SECRET)");
+  add.flag("--enable-commands", options.enable_commands,
+           "Let who shows the token of commands start, drive, abort, send home and reset the robot from the page");
+  add.option("--command-token-file", options.command_token_file,
+             "With --enable-commands: the file with that token, which its user alone may read. Made, with a new token, "
+             "where it is missing");
   add.option("--log", options.log,
              "Show this log, or recording's folder, in place of the bus; then no bus is opened and nothing is sent");
   add.option("--page", options.page, "The folder with the page (default: as it was built or installed)");
@@ -97,6 +123,28 @@ std::string read_token(const std::string& path) {
                              " characters; allowed: at least " + std::to_string(kShortestToken));
   }
   return token;
+}
+
+std::string command_token(const std::string& path) {
+  const auto wrong = [&path](const std::string& why) {
+    return ConfigurationError("--command-token-file " + path + ": " + why);
+  };
+  const int made = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR);
+  if (made >= 0) {
+    const std::string token = random_token();
+    const std::string line = token + "\n";
+    const bool written = ::write(made, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+    ::close(made);
+    if (!written) throw wrong("cannot be written");
+    return token;
+  }
+  if (errno != EEXIST) throw wrong("cannot be made: " + std::system_category().message(errno));
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) throw wrong("is no file");
+  if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
+    throw wrong("others may read or write it; allowed: its user alone (chmod 600)");
+  }
+  return read_token(path);
 }
 
 std::string default_page_folder() {

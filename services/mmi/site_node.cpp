@@ -1,5 +1,6 @@
 #include "services/mmi/site_node.hpp"
 
+#include "common/bus/session.hpp"
 #include "common/reflection/message_json.hpp"
 #include "common/time/clocks.hpp"
 #include "common/watch/watch_json.hpp"
@@ -25,6 +26,15 @@ std::string path_of(const RequestHead& request) {
 SiteNode::SiteNode(Source& source, std::string hello, PageFiles page, RequestRules rules)
     : source_(source), hello_(std::move(hello)), page_(std::move(page)), rules_(std::move(rules)) {}
 
+bool SiteNode::admits(const std::string& token) const {
+  const Desk* desk = source_.desk();
+  return rules_.admits(token) || (desk != nullptr && desk->admits(token));
+}
+
+std::int64_t SiteNode::new_session() {
+  return bus::random_session();
+}
+
 double SiteNode::now() const {
   return steady_seconds();
 }
@@ -43,7 +53,7 @@ Answer SiteNode::answer(const RequestHead& request) {
   const bool is_known =
       path == "/state.json" || path == "/channels.json" || path == "/frame/left.jpg" || path == "/frame/right.jpg";
   if (!is_known) return plain(404, "nothing here; allowed: /, /state.json, /channels.json, /frame/left.jpg, /socket");
-  if (!rules_.admits(request.bearer)) return plain(401, "no token; allowed: with Authorization: Bearer TOKEN");
+  if (!admits(request.bearer)) return plain(401, "no token; allowed: with Authorization: Bearer TOKEN");
   if (path == "/state.json") return state();
   if (path == "/channels.json") return channels();
   return picture(path == "/frame/left.jpg");
@@ -65,6 +75,7 @@ Answer SiteNode::state() const {
                         {"connections", refusals_->connections},
                         {"behind", refusals_->behind}};
   }
+  if (const Desk* desk = source_.desk()) state["refused_commands"] = desk->refused();
   return json_answer(state);
 }
 

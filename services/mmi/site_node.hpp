@@ -29,10 +29,13 @@ class SiteNode final : public WebSite, private FeedHost {
   Answer picture(bool left);
 
   const std::string& hello() const override { return hello_; }
-  bool admits(const std::string& token) const override { return rules_.admits(token); }
+  // Who may command may look.
+  bool admits(const std::string& token) const override;
   std::string stop(const std::string& reason) override { return source_.stop(reason); }
   const VersionedText& stop_state() const override { return source_.stop_state(); }
   PictureMaker& pictures() override { return pictures_; }
+  Desk* desk() override { return source_.desk(); }
+  std::int64_t new_session() override;
   double now() const override;
 
   Source& source_;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "services/mmi/control/desk.hpp"
 #include "services/mmi/feed/shown.hpp"
 
 namespace markservo::mmi {
@@ -19,6 +20,8 @@ class Source {
   // Sends STOP, until all have echoed. Why it cannot; empty when it does.
   virtual std::string stop(const std::string& reason) = 0;
   virtual const VersionedText& stop_state() const = 0;
+  // Where commands come in; null: nowhere.
+  virtual Desk* desk() { return nullptr; }
 };
 
 }  // namespace markservo::mmi

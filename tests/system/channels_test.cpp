@@ -29,6 +29,7 @@ const std::vector<Tested>& services() {
   static const std::map<std::string, std::string> options = {
       {"stereo-camera", " --left " + picture + " --right " + picture + " --fx 600 --baseline 0.06"},
       {"task-operator", " stop"},
+      {"mmi", " --enable-commands --command-token-file '" MARKSERVO_BIN_DIR "/channels_test.token'"},
   };
   static const std::vector<Tested> all = [] {
     std::vector<Tested> asked;

@@ -26,7 +26,13 @@ void add_part(std::string& parts, const char* name, const VersionedText& text, V
 }  // namespace
 
 ClientFeed::ClientFeed(FeedHost& host, std::unique_ptr<Shown> shown, const FeedParameters& parameters)
-    : host_(host), shown_(std::move(shown)), parameters_(parameters) {}
+    : host_(host), shown_(std::move(shown)), session_(host.new_session()), parameters_(parameters) {
+  if (Desk* desk = host_.desk()) desk->arrive(session_);
+}
+
+ClientFeed::~ClientFeed() {
+  if (Desk* desk = host_.desk()) desk->leave(session_);
+}
 
 std::string ClientFeed::hear(std::string_view text) {
   try {
@@ -41,6 +47,7 @@ std::string ClientFeed::obey(const ClientWord& message) {
   if (const auto* hello = std::get_if<ClientHello>(&message)) {
     if (!host_.admits(hello->token)) return "another token than this program's: open the address that it printed";
     greeted_ = true;
+    if (Desk* desk = host_.desk()) desk->hear_token(session_, hello->token);
     return {};
   }
   if (!greeted_) return "no hello; allowed: hello first";
@@ -53,14 +60,30 @@ std::string ClientFeed::obey(const ClientWord& message) {
   } else if (const auto* look = std::get_if<ClientLook>(&message)) {
     looked_ = {look->channels.begin(), look->channels.end()};
     told_.slots = 0;  // what stands there already is told too
+  } else if (std::holds_alternative<ClientLease>(message) || std::holds_alternative<ClientCommand>(message)) {
+    return obey_operator(message);
   } else {
     return shown_->control(message);
   }
   return {};
 }
 
+std::string ClientFeed::obey_operator(const ClientWord& message) {
+  Desk* desk = host_.desk();
+  if (desk == nullptr) return "a command; allowed: where mmi was started with --enable-commands";
+  if (const auto* lease = std::get_if<ClientLease>(&message)) {
+    desk->lease(session_, lease->on, lease->take, host_.now());
+  } else if (const auto* wish = std::get_if<ClientCommand>(&message)) {
+    desk->command(session_, wish->stamp, wish->command, host_.now(), shown_->utime());
+  }
+  return {};
+}
+
 std::string ClientFeed::trouble() const {
-  if (!told_hello_ || shown_->events().has_all_after(told_.event)) return {};
+  if (!told_hello_) return {};
+  const Desk* desk = host_.desk();
+  if (desk != nullptr && desk->is_behind(session_)) return "too slow: answers to commands would be left out";
+  if (shown_->events().has_all_after(told_.event)) return {};
   return "too slow: events would be left out";
 }
 
@@ -100,6 +123,19 @@ std::string ClientFeed::slot_list() {
   return list;
 }
 
+std::string ClientFeed::desk_parts() {
+  Desk* desk = host_.desk();
+  if (desk == nullptr) return {};
+  std::string parts;
+  std::string view = desk->view(session_, host_.now(), shown_->utime());
+  if (view != told_desk_) {
+    parts += ",\"desk\":" + view;
+    told_desk_ = std::move(view);
+  }
+  if (const std::string answers = desk->take_answers(session_); !answers.empty()) parts += ",\"answers\":" + answers;
+  return parts;
+}
+
 std::optional<std::string> ClientFeed::update_text() {
   const double now = host_.now();
   if (updated_at_ && now - *updated_at_ < parameters_.update_every) return std::nullopt;
@@ -131,6 +167,7 @@ std::optional<std::string> ClientFeed::update_text() {
   add_part(parts, "latency", world.latency(), told_.latency);
   add_part(parts, "stop", host_.stop_state(), told_.stop);
   add_part(parts, "play", shown_->play(), told_.play);
+  parts += desk_parts();
   const bool is_due = !updated_at_ || now - *updated_at_ >= kUpdateAtLeastEvery;
   if (parts.empty() && !is_due) return std::nullopt;
   updated_at_ = now;

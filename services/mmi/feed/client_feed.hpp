@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "services/mmi/control/desk.hpp"
 #include "services/mmi/feed/shown.hpp"
 #include "services/mmi/pictures/picture_maker.hpp"
 #include "services/mmi/server/web_site.hpp"
@@ -22,6 +23,10 @@ class FeedHost {
   virtual std::string stop(const std::string& reason) = 0;  // why it cannot be; empty when it goes out
   virtual const VersionedText& stop_state() const = 0;
   virtual PictureMaker& pictures() = 0;
+  // Where commands come in; null: nowhere.
+  virtual Desk* desk() { return nullptr; }
+  // Random, for one more conversation.
+  virtual std::int64_t new_session() = 0;
   virtual double now() const = 0;  // s of a steady clock
 };
 
@@ -39,6 +44,9 @@ struct FeedParameters {
 class ClientFeed final : public Conversation {
  public:
   ClientFeed(FeedHost& host, std::unique_ptr<Shown> shown, const FeedParameters& parameters = {});
+  ~ClientFeed() override;
+  ClientFeed(const ClientFeed&) = delete;
+  ClientFeed& operator=(const ClientFeed&) = delete;
 
   std::string hear(std::string_view text) override;
   bool greeted() const override { return greeted_; }
@@ -62,7 +70,9 @@ class ClientFeed final : public Conversation {
   };
 
   std::string obey(const ClientWord& message);
+  std::string obey_operator(const ClientWord& message);
   std::string hello_text();
+  std::string desk_parts();
   std::optional<std::string> update_text();
   std::string slot_list();
   std::optional<std::string> picture();
@@ -70,12 +80,14 @@ class ClientFeed final : public Conversation {
 
   FeedHost& host_;
   std::unique_ptr<Shown> shown_;
+  std::int64_t session_;  // this conversation's
   FeedParameters parameters_;
   bool greeted_ = false;
   bool told_hello_ = false;
   bool wants_pictures_ = false;
   std::set<std::string> looked_;
   Told told_;
+  std::string told_desk_;
   std::int64_t update_ = 0;  // the newest sent
   std::int64_t took_ = 0;    // the newest taken
   std::int64_t picture_ = 0;

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -52,10 +53,47 @@ ClientWord hello(const Json& message) {
   return ClientHello{text_at(message, "token")};
 }
 
+bool flag_at(const Json& message, const char* key) {
+  const Json& flag = member(message, key, "true or false");
+  if (!flag.is_boolean()) refuse(key, "true or false");
+  return flag.get<bool>();
+}
+
+ClientWord lease(const Json& message) {
+  return ClientLease{flag_at(message, "on"), message.count("take") != 0 && flag_at(message, "take")};
+}
+
+geometry::PlanePose place_at(const Json& message) {
+  static const std::string allowed = "[x, y, heading], m and rad";
+  const Json& place = member(message, "place", allowed);
+  if (!place.is_array() || place.size() != 3) refuse("place", allowed);
+  double numbers[3] = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!place[i].is_number()) refuse("place", allowed);
+    numbers[i] = place[i].get<double>();
+    if (!(std::abs(numbers[i]) <= kFarthest)) refuse("place", "numbers up to 10,000");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+ClientWord command(const Json& message) {
+  static const std::map<std::string, task::Action> actions{
+      {"start", task::Action::kStart}, {"carry", task::Action::kStart}, {"abort", task::Action::kAbort},
+      {"home", task::Action::kHome},   {"drive", task::Action::kDrive}, {"reset", task::Action::kReset}};
+  const std::string kind = text_at(message, "kind");
+  const auto action = actions.find(kind);
+  if (action == actions.end()) refuse("kind", "start, carry, abort, home, drive, reset");
+  ClientCommand command;
+  command.stamp = {integer_at(message, "session"), integer_at(message, "seq"), integer_at(message, "expires")};
+  command.command.action = action->second;
+  command.command.carry = kind == "carry";
+  if (action->second == task::Action::kStart) command.command.target = text_at(message, "target");
+  if (action->second == task::Action::kDrive) command.command.place = place_at(message);
+  return command;
+}
+
 ClientWord pictures(const Json& message) {
-  const Json& on = member(message, "on", "true or false");
-  if (!on.is_boolean()) refuse("on", "true or false");
-  return ClientPictures{on.get<bool>()};
+  return ClientPictures{flag_at(message, "on")};
 }
 
 ClientWord look(const Json& message) {
@@ -103,7 +141,9 @@ ClientWord parse_client_word(std::string_view text) {
   if (type == "pause") return ClientPause{};
   if (type == "seek") return ClientSeek{integer_at(message, "utime")};
   if (type == "step") return step(message);
-  refuse("type", "hello, pictures, seen, took, look, stop, play, pause, seek, step");
+  if (type == "lease") return lease(message);
+  if (type == "command") return command(message);
+  refuse("type", "hello, pictures, seen, took, look, stop, play, pause, seek, step, lease, command");
 }
 
 }  // namespace markservo::mmi

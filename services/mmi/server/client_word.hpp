@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "services/mmi/control/command.hpp"
+
 namespace markservo::mmi {
 
 inline constexpr int kProtocol = 1;
@@ -40,13 +42,22 @@ struct ClientSeek {
 struct ClientStep {
   int frames = 1;
 };
+struct ClientLease {
+  bool on = false;
+  bool take = false;
+};
+struct ClientCommand {
+  CommandStamp stamp;
+  Command command;
+};
 
 using ClientWord = std::variant<ClientHello, ClientPictures, ClientSeen, ClientTook, ClientLook, ClientStop, ClientPlay,
-                                ClientPause, ClientSeek, ClientStep>;
+                                ClientPause, ClientSeek, ClientStep, ClientLease, ClientCommand>;
 
 inline constexpr std::size_t kMostLooked = 64;    // channels at once
 inline constexpr std::size_t kLongestText = 512;  // bytes, of a reason, a name or a token
 inline constexpr double kFastestPlay = 10.0;
+inline constexpr double kFarthest = 1e4;  // m, of a place
 
 // Throws std::invalid_argument: what is wrong, and what is allowed.
 ClientWord parse_client_word(std::string_view text);

@@ -33,7 +33,7 @@ StopRequester::StopRequester(std::vector<std::string> stop_devices, StopParamete
 void StopRequester::request(const std::string& reason, double now) {
   if (state_ == StopAnswer::kRequested) return;
   state_ = StopAnswer::kRequested;
-  ++request_id_;
+  request_id_ = ++numbers_;
   reason_ = reason;
   requested_ = now;
   requested_utime_ = sender_.stamp(motion::CommandKind::kStop).value_or(0);

@@ -83,6 +83,8 @@ class StopRequester {
   void observe(const task::StopReport& report, std::int64_t utime, double now);
   void observe(const HeardReset& reset);
 
+  // A number for another request of ours, RESET.
+  std::int64_t number_another() { return ++numbers_; }
   // Of the newest request; 0 before the first.
   std::int64_t request_id() const { return request_id_; }
   StopView view(double now) const;
@@ -104,6 +106,7 @@ class StopRequester {
   std::map<std::string, Device> devices_;  // each of stop_devices_
 
   StopAnswer state_ = StopAnswer::kIdle;
+  std::int64_t numbers_ = 0;  // given to requests so far
   std::int64_t request_id_ = 0;
   std::string reason_;
   std::int64_t requested_utime_ = 0;  // us, of the stop devices' time

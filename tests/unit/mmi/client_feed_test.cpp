@@ -111,6 +111,7 @@ class FedClient : public ::testing::Test, private FeedHost {
   const VersionedText& stop_state() const override { return stop_; }
   PictureMaker& pictures() override { return pictures_; }
   double now() const override { return now_; }
+  std::int64_t new_session() override { return 77; }
 
   std::string hello_ = R"({"type":"hello")";
   PictureMaker pictures_;

@@ -35,6 +35,27 @@ TEST(ClientWord, SaysWhatItSays) {
   EXPECT_TRUE(std::holds_alternative<ClientPause>(parse_client_word(R"({"type":"pause"})")));
 }
 
+TEST(ClientWord, Commands) {
+  const auto command = parsed<ClientCommand>(
+      R"({"type":"command","session":"9007199254740993","seq":2,"expires":"5","kind":"carry","target":"red_book"})");
+  EXPECT_EQ(command.stamp.session, 9007199254740993);
+  EXPECT_EQ(command.stamp.seq, 2);
+  EXPECT_EQ(command.stamp.expires_utime, 5);
+  EXPECT_EQ(command.command.action, task::Action::kStart);
+  EXPECT_TRUE(command.command.carry);
+  EXPECT_EQ(command.command.target, "red_book");
+  const auto drive = parsed<ClientCommand>(
+      R"({"type":"command","session":1,"seq":2,"expires":5,"kind":"drive","place":[0.5,-1,1.57]})");
+  EXPECT_EQ(drive.command.place.y, -1.0);
+  EXPECT_TRUE(parsed<ClientLease>(R"({"type":"lease","on":true,"take":true})").take);
+  for (const char* place : {"[1,2]", "[1,2,1e99]", "[1,2,\"3\"]", "null"}) {
+    EXPECT_NE(objection(R"({"type":"command","session":1,"seq":2,"expires":5,"kind":"drive","place":)" +
+                        std::string(place) + "}"),
+              "");
+  }
+  EXPECT_NE(objection(R"({"type":"command","session":1,"seq":2,"expires":5,"kind":"stop"})"), "");
+}
+
 TEST(ClientWord, MaySayMoreThanIsKnown) {
   EXPECT_EQ(parsed<ClientSeen>(R"({"type":"seen","number":7,"colour":"blue"})").picture, 7);
 }

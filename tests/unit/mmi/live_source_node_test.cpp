@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <markservo/TaskCommand.hpp>
 #include <markservo/TaskState.hpp>
 #include <thread>
 
+#include "common/time/clocks.hpp"
 #include "tests/unit/bus/memq_bus.hpp"
 #include "tests/unit/mmi/robot_of_the_project.hpp"
 
@@ -41,6 +43,7 @@ class ShownBus : public ::testing::Test {
     state.latched = obeyed.request_id > 0 ? 1 : 0;
     state.request_session = obeyed.session;
     state.request_id = obeyed.request_id;
+    if (state.latched != 0) state.reason = obeyed.source + ": " + obeyed.reason;
     states_->publish(state);
     bus::settle(bus_);
   }
@@ -113,6 +116,76 @@ TEST_F(ShownBus, IsNotStoppedAnyMoreOnceSomebodyResets) {
 
 TEST_F(ShownBus, HasNoTimeToTurnBack) {
   EXPECT_NE(source_.shown()->control(ClientPause{}), "");
+}
+
+TEST_F(ShownBus, ObeysNobodyWithoutAToken) {
+  EXPECT_EQ(source_.desk(), nullptr);
+}
+
+class CommandedBus : public ShownBus {
+ protected:
+  CommandedBus() : commanded_(robot_of_the_project(), "", {}, "a token of commands") {
+    commanded_.start(bus_);
+    bus_.on_each(channels::kTaskCommand, [this](const TaskCommand& command) { commands_.push_back(command); });
+    desk().arrive(kPage);
+    desk().hear_token(kPage, "a token of commands");
+    desk().lease(kPage, true, false, steady_seconds());
+  }
+
+  Desk& desk() { return *commanded_.desk(); }
+  void wish(task::Action action) {
+    Command command;
+    command.action = action;
+    command.target = "red_book";
+    command.place = {0.5, 1.0, 0.25};
+    const std::int64_t now = wall_clock_us();
+    desk().command(kPage, {kPage, ++seq_, now + 1'000'000}, command, steady_seconds(), now);
+    commanded_.tick();
+    bus::settle(bus_);
+  }
+  void say_task(std::int8_t state) {
+    TaskState task{};
+    task.utime = utime_ += 1000;
+    task.session = 9;
+    task.seq = ++task_seq_;
+    task.frame_session = 1;
+    task.frame_seq = task.seq;
+    task.frame_utime = task.utime;
+    task.state = state;
+    bus_.advertise(channels::kTaskState).publish(task);
+    bus::settle(bus_);
+  }
+
+  static constexpr std::int64_t kPage = 101;
+  LiveSourceNode commanded_;
+  std::vector<TaskCommand> commands_;
+  std::int64_t seq_ = 0;
+  std::int64_t task_seq_ = 0;
+};
+
+TEST_F(CommandedBus, IsToldWhereToDriveUnderItsOwnSession) {
+  say("arm");
+  say("base");
+  say_task(TaskState::IDLE);
+  wish(task::Action::kDrive);
+  ASSERT_EQ(commands_.size(), 1U) << desk().take_answers(kPage);
+  EXPECT_EQ(commands_[0].kind, TaskCommand::DRIVE);
+  EXPECT_EQ(commands_[0].session, bus_.session());
+  EXPECT_EQ(commands_[0].drive_pose.x, 0.5);
+  EXPECT_EQ(commands_[0].utime, utime_);
+}
+
+TEST_F(CommandedBus, IsResetUnderANumberOfItsOwn) {
+  commanded_.stop("smoke");
+  bus::settle(bus_);
+  const StopRequest stop = stops_.back();
+  say("arm", stop);
+  say("base", stop);
+  wish(task::Action::kReset);
+  EXPECT_TRUE(commands_.empty());
+  ASSERT_EQ(stops_.size(), 2U) << desk().take_answers(kPage);
+  EXPECT_EQ(stops_[1].kind, StopRequest::RESET);
+  EXPECT_EQ(stops_[1].request_id, stop.request_id + 1);
 }
 
 }  // namespace

@@ -80,5 +80,27 @@ TEST(PageFiles, SayHowToBuildThemWhereThereAreNone) {
   EXPECT_NE(page.find("/")->body->find("scripts/build"), std::string::npos);
 }
 
+TEST(CommandToken, IsMadeOnceForItsUserAlone) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("token");
+  const std::string token = command_token(path);
+  EXPECT_EQ(token.size(), 32U);
+  EXPECT_EQ(std::filesystem::status(path).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  EXPECT_EQ(command_token(path), token);
+  EXPECT_NE(command_token(folder.file("another")), token);
+}
+
+TEST(CommandToken, OfAFileThatOthersReadIsNone) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("token");
+  command_token(path);
+  std::filesystem::permissions(path, std::filesystem::perms::group_read, std::filesystem::perm_options::add);
+  EXPECT_THROW(command_token(path), ConfigurationError);
+  std::filesystem::create_symlink(path, folder.file("link"));
+  EXPECT_THROW(command_token(folder.file("link")), ConfigurationError);
+  EXPECT_THROW(command_token(folder.file("no/such/folder")), ConfigurationError);
+}
+
 }  // namespace
 }  // namespace markservo::mmi

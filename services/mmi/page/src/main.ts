@@ -5,6 +5,7 @@ import './style/drawing.css';
 import './style/drive.css';
 import './style/health.css';
 import './style/log.css';
+import './style/operate.css';
 import 'uplot/dist/uPlot.min.css';
 import './elements/app.js';
 import {start} from './session.js';

@@ -196,6 +196,31 @@ export interface ChannelFigures {
   refusal?: string;
 }
 
+export type CommandKind = 'start' | 'carry' | 'abort' | 'home' | 'drive' | 'reset';
+
+/** Who commands, and what can be commanded: of this conversation. */
+export interface Desk {
+  /** Of this conversation's commands. */
+  session: string;
+  /** Its token is that of commands. */
+  may: boolean;
+  holder: 'none' | 'you' | 'another';
+  /** When the lease began. */
+  since: Microseconds;
+  /** Names of marks that can be taken. */
+  targets: string[];
+  /** Why each cannot be done for now; empty where it can. Carrying is starting. */
+  why: Record<Exclude<CommandKind, 'carry'>, string>;
+}
+
+export interface Answer {
+  seq: number | string;
+  state: 'refused' | 'sent' | 'under_way' | 'done' | 'failed' | 'unanswered';
+  /** The rule by which it was refused. */
+  code: string;
+  text: string;
+}
+
 export interface Play {
   utime: Microseconds;
   playing: boolean;
@@ -219,6 +244,9 @@ export interface Update {
   figures?: Record<string, ChannelFigures>;
   latency?: Record<string, number | null>;
   play?: Play;
+  /** Only where commands are enabled. */
+  desk?: Desk;
+  answers?: Answer[];
 }
 
 export interface PictureHeader {
@@ -237,7 +265,28 @@ export interface PictureHeader {
   servo: BusMessage | null;
 }
 
+/** `take`: also from another. */
+export interface LeaseWord {
+  type: 'lease';
+  on: boolean;
+  take?: boolean;
+}
+
+export interface CommandWord {
+  type: 'command';
+  session: string;
+  seq: number;
+  /** us by mmi's clock, as text. */
+  expires: string;
+  kind: CommandKind;
+  target?: string;
+  /** x, y and heading in W. */
+  place?: Point;
+}
+
 export type ToServer =
+  | LeaseWord
+  | CommandWord
   | {type: 'hello'; protocol: 1; token?: string}
   | {type: 'pictures'; on: boolean}
   | {type: 'seen'; number: number}

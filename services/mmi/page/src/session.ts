@@ -1,5 +1,6 @@
 import {Connection} from './connection.js';
 import {microseconds} from './format.js';
+import {Operator} from './operate/operator.js';
 import {PictureDecoder} from './pictures.js';
 import {parsePicture} from './protocol.js';
 import {Store} from './store.js';
@@ -29,6 +30,9 @@ const kDrawnChannels = [
 /** A seek takes 0.2 s at most; a flash of no picture before that would be worse than the old one. */
 const kPictureAwaited_ms = 400;
 
+/** How often it is asked whether the lease wants a word: it is renewed each second. */
+const kLeaseStep_ms = 100;
+
 const token = readAddress(location.hash).token;
 
 /** Numbers of the pictures that mmi sent and that it has not been told of as drawn. */
@@ -56,15 +60,20 @@ export const connection = new Connection(
   {
     onHello: (hello) => {
       under_way.clear();
+      operator.onHello();
       store.onHello(hello);
       askForWhatIsDrawn();
     },
     onUpdate: (update) => {
+      operator.onUpdate(update, performance.now());
       store.onUpdate(update);
       if (update.anew) awaitPicture();
       if (store.past_is_lost) dropLostPicture();
     },
-    onLife: (life, why) => store.onLife(life, why),
+    onLife: (life, why) => {
+      operator.onLife(life);
+      store.onLife(life, why);
+    },
     onStopFate: () => store.tell('choice'),
     onPicture: (bytes) => {
       const header = parsePicture(bytes).header;
@@ -74,6 +83,11 @@ export const connection = new Connection(
       else acknowledge(header.number);
     },
   },
+);
+
+export const operator = new Operator(
+  (word) => connection.send(word),
+  () => store.tell('operate'),
 );
 
 let further_channels: string[] = [];
@@ -121,9 +135,15 @@ export function viewPictures(viewer: unknown, on: boolean): void {
   connection.pictures(picture_viewers.size > 0 && !document.hidden);
 }
 
+function keepLease(): void {
+  operator.step(performance.now(), document.visibilityState === 'visible');
+}
+
 export function start(): void {
   document.addEventListener('visibilitychange', () => {
     connection.pictures(picture_viewers.size > 0 && !document.hidden);
+    keepLease();
   });
+  setInterval(keepLease, kLeaseStep_ms);
   connection.start();
 }

@@ -8,8 +8,8 @@ import type {Hello, Play, RobotEvent, Slot, Update} from './protocol.js';
 import type {Life} from './connection.js';
 import {withoutPatches} from './slim.js';
 
-/** What changed: elements redraw at once for the first three, and at their own pace for the others. */
-export type Change = 'choice' | 'picture' | 'cursor' | 'state' | 'events';
+/** What changed: elements redraw at once for the first four, and at their own pace for the others. */
+export type Change = 'choice' | 'picture' | 'cursor' | 'operate' | 'state' | 'events';
 
 const kPictureBytes = 40e6;
 const kPictureAge_us = 20e6;

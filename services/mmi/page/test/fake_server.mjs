@@ -1,12 +1,14 @@
-// Speaks the page's protocol with an invented robot: node test/fake_server.mjs FOLDER_OF_THE_PAGE PORT live|log [trouble]
-// Run it inside scripts/private-network.
+// Speaks the page's protocol with an invented robot: node test/fake_server.mjs FOLDER_OF_THE_PAGE PORT live|log
+// [trouble|commands]; who has the token 'fake' commands. Run it inside scripts/private-network.
 import {createHash} from 'node:crypto';
 import {readFileSync} from 'node:fs';
 import {createServer} from 'node:http';
 import {extname, join} from 'node:path';
+import {FakeDesk} from './fake_desk.mjs';
 import {events, hello, kBegin, picture, update} from './fake_robot.mjs';
 
-const [folder, port, mode = 'live', trouble = ''] = process.argv.slice(2);
+const [folder, port, mode = 'live', further = ''] = process.argv.slice(2);
+const trouble = further !== '' && further !== 'commands';
 const kTypes = {'.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css'};
 const kPolicy =
   "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob:; connect-src 'self'; font-src 'none'; " +
@@ -92,8 +94,11 @@ function converse(socket) {
     stop: '',
   };
   const now = () => (mode === 'log' ? client.play.at : seconds());
+  const robot = {latched: () => stop_at !== null, reset: () => (stop_at = null)};
+  const desk = further === 'commands' ? new FakeDesk(robot) : null;
   let ticking = null;
   listen(socket, (message) => {
+    desk?.hear(message, kBegin + seconds() * 1e6);
     if (message.type === 'hello') {
       const all = mode === 'log' ? events(-1, kLogSeconds) : events(-1, seconds());
       send(socket, hello(mode, kLogSeconds, all));
@@ -159,13 +164,18 @@ function converse(socket) {
           },
         ]
       : [];
+    Object.assign(message, desk?.parts());
     message.number = ++client.updates;
     send(socket, message);
     if (client.pictures && client.sent - client.seen < 2 && Math.round(t * 20) % 2 === 0)
       send(socket, picture(t, ++client.sent));
   };
-  socket.on('close', () => clearInterval(ticking));
-  socket.on('error', () => clearInterval(ticking));
+  const end = () => {
+    clearInterval(ticking);
+    desk?.leave();
+  };
+  socket.on('close', end);
+  socket.on('error', end);
 }
 
 server.listen(Number(port), '127.0.0.1');

@@ -29,6 +29,14 @@ export class FloorScale {
       this.size[1] / 2 - (y - this.centre[1]) * this.pixels_per_metre,
     ];
   }
+
+  /** px to m in W. */
+  placeAt(u: number, v: number): [number, number] {
+    return [
+      this.centre[0] + (u - this.size[0] / 2) / this.pixels_per_metre,
+      this.centre[1] - (v - this.size[1] / 2) / this.pixels_per_metre,
+    ];
+  }
 }
 
 /** The scale at which all points and a margin (m) around them are in view. */

@@ -12,9 +12,11 @@ import {
 } from '../drawing/floor_map.js';
 import {drawDirection} from '../drawing/paper_direction.js';
 import {degrees, metres} from '../format.js';
+import {drawWished} from '../drawing/wished_pose.js';
 import {areFinite, finitePose, kNotANumber} from '../numbers.js';
+import {afterPlaceKey, placedAt, placeWords, turnedTo} from '../operate/wished_place.js';
 import type {SonarEchoMessage} from '../protocol.js';
-import {store} from '../session.js';
+import {operator, store} from '../session.js';
 import {StoreElement} from './store_element.js';
 
 /** us, how much of the way is drawn. */
@@ -23,6 +25,10 @@ const kTrail_us = 60e6;
 const kMargin = 0.35;
 const kPanStep_px = 40;
 const kZoomStep = 1.3;
+/** px; a pointer that moves less has clicked. */
+const kDrag_px = 8;
+/** m, of a robot whose base is not told. */
+const kSomeBase = {front: 0.2, rear: 0.2, half_width: 0.15};
 
 type PoseName = 'fused' | 'raw' | 'compensated' | 'truth' | 'goal';
 
@@ -31,8 +37,15 @@ export class FloorMap extends StoreElement {
   private size: [number, number] = [600, 500];
   private zoom = 1;
   private shift: [number, number] = [0, 0];
-  private drag: {x: number; y: number} | null = null;
+  private drag: {x: number; y: number; turns: boolean} | null = null;
+  /** Pointer and arrows choose a place to drive to, rather than move the map; null: as its token lets this page command. */
+  private chooses: boolean | null = null;
   private readonly resizing = new ResizeObserver((entries) => this.onSize(entries));
+
+  constructor() {
+    super();
+    this.shows = ['choice', 'operate', 'state', 'events'];
+  }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
@@ -58,16 +71,18 @@ export class FloorMap extends StoreElement {
       this.size,
     );
     const states = tagStates(store.moment.part('floor'));
+    const words = this.choosing ? 'arrows choose a place, with Shift they turn it' : 'arrows move it';
     return html` <div
-        class="floor"
+        class="floor ${this.choosing ? 'is-choosing' : ''}"
         @wheel=${this.onWheel}
-        @pointerdown=${this.onDown}
+        @pointerdown=${(event: PointerEvent) => this.onDown(event, scale)}
         @pointermove=${(event: PointerEvent) => this.onMove(event, scale)}
         @pointerup=${this.onUp}
+        @pointercancel=${this.onUp}
         @keydown=${(event: KeyboardEvent) => this.onKey(event, scale)}
         tabindex="0"
         role="group"
-        aria-label="Floor, arrows move it, + and - enlarge it"
+        aria-label="Floor, ${words}, + and - enlarge it"
       >
         <svg
           viewBox="0 0 ${this.size[0]} ${this.size[1]}"
@@ -83,6 +98,7 @@ export class FloorMap extends StoreElement {
               svg`${tags.filter((tag) => !states.has(tag.uid)).map((tag) => this.renderTag(scale, tag.uid, tag.place, 'idle'))}`,
           )}
           ${this.renderActive(scale, states)} ${this.renderTrail(scale)} ${this.renderPoses(scale, robot)}
+          ${operator.enabled && operator.wished ? drawWished(scale, operator.wished, store.hello?.scene.base ?? kSomeBase) : nothing}
           ${this.renderRuler(scale)}
         </svg>
       </div>
@@ -97,12 +113,34 @@ export class FloorMap extends StoreElement {
           <span>● read</span><span>✕ missed</span><span>○ expected</span><span>◆ not expected</span
           ><span>· other tag</span>
         </span>
+        <span class="visually-hidden" role="status">
+          ${operator.enabled && operator.wished ? `chosen: ${placeWords(operator.wished)}` : ''}
+        </span>
+        ${operator.enabled ? this.renderChooser() : nothing}
         <span class="zoom" role="group" aria-label="Zoom of the floor">
           <button @click=${() => this.zoomBy(1 / kZoomStep)} aria-label="Smaller">−</button>
           <button @click=${this.reset} aria-label="All tags" title="All tags">all</button>
           <button @click=${() => this.zoomBy(kZoomStep)} aria-label="Larger">+</button>
         </span>
       </div>`;
+  }
+
+  private get choosing(): boolean {
+    return operator.enabled && (this.chooses ?? operator.desk?.may ?? false);
+  }
+
+  private renderChooser(): TemplateResult {
+    return html`<button
+      class="chooser"
+      aria-pressed=${this.choosing}
+      title="Click on the floor and drag to where the robot shall look, or move the map"
+      @click=${() => {
+        this.chooses = !this.choosing;
+        this.requestUpdate();
+      }}
+    >
+      choose a place
+    </button>`;
   }
 
   private renderActive(scale: FloorScale, states: Map<string, TagState>): SVGTemplateResult[] {
@@ -123,7 +161,7 @@ export class FloorMap extends StoreElement {
       unexpected: 'M0-7L7 0L0 7L-7 0Z',
     };
     return svg`<g class="tag is-${state} ${store.selected === uid ? 'is-selected' : ''}" data-tag=${uid} data-state=${state}
-      transform="translate(${x.toFixed(2)} ${y.toFixed(2)})" @click=${() => store.select(uid)}>
+      transform="translate(${x.toFixed(2)} ${y.toFixed(2)})" @click=${() => this.choosing || store.select(uid)}>
       <circle class="target" r="9"></circle><path d=${shapes[state]}></path><title>${uid}, ${state}, at ${metres(place[0], 2)}, ${metres(place[1], 2)}</title></g>`;
   }
 
@@ -172,8 +210,7 @@ export class FloorMap extends StoreElement {
   }
 
   private renderOutlined(scale: FloorScale, name: PoseName, pose: Pose): SVGTemplateResult {
-    const base = store.hello?.scene.base ?? {front: 0.2, rear: 0.2, half_width: 0.15};
-    const {front, rear, half_width} = base;
+    const {front, rear, half_width} = store.hello?.scene.base ?? kSomeBase;
     const box: [number, number][] = [
       [front, half_width],
       [-rear, half_width],
@@ -242,6 +279,11 @@ export class FloorMap extends StoreElement {
   };
 
   private onKey(event: KeyboardEvent, scale: FloorScale): void {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (this.choosing && this.chooseByKey(event, scale)) {
+      event.preventDefault();
+      return;
+    }
     const by = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
     const step = kPanStep_px / scale.pixels_per_metre;
     if (by) this.shift = [this.shift[0] + step * by[0]!, this.shift[1] + step * by[1]!];
@@ -252,9 +294,30 @@ export class FloorMap extends StoreElement {
     this.requestUpdate();
   }
 
-  private readonly onDown = (event: PointerEvent): void => {
-    this.drag = {x: event.clientX, y: event.clientY};
-  };
+  /** The first key shows the place where the robot stands, or, where that is not known, in the middle. */
+  private chooseByKey(event: KeyboardEvent, scale: FloorScale): boolean {
+    const robot = finitePose(store.moment.message('ROBOT_POSE')?.pose);
+    const begin = robot ?? {x: scale.centre[0], y: scale.centre[1], heading: 0};
+    const from = operator.wished ?? placedAt(begin.x, begin.y, begin);
+    const to = afterPlaceKey(from, event.key, event.shiftKey);
+    if (to) operator.wish(operator.wished ? to : from);
+    return to !== null;
+  }
+
+  /** m in W. */
+  private pointed(event: PointerEvent, scale: FloorScale): [number, number] {
+    const box = this.querySelector('.floor')!.getBoundingClientRect();
+    return scale.placeAt(event.clientX - box.left, event.clientY - box.top);
+  }
+
+  private onDown(event: PointerEvent, scale: FloorScale): void {
+    if (event.button !== 0) return;
+    this.drag = {x: event.clientX, y: event.clientY, turns: false};
+    if (!this.choosing) return;
+    (event.currentTarget as Element).setPointerCapture(event.pointerId);
+    const robot = finitePose(store.moment.message('ROBOT_POSE')?.pose);
+    operator.wish(placedAt(...this.pointed(event, scale), operator.wished ?? robot));
+  }
 
   private readonly onUp = (): void => {
     this.drag = null;
@@ -262,12 +325,22 @@ export class FloorMap extends StoreElement {
 
   private onMove(event: PointerEvent, scale: FloorScale): void {
     if (!this.drag || !(event.buttons & 1)) return;
+    if (this.choosing) this.turn(event, scale, this.drag);
+    else this.pan(event, scale, this.drag);
+  }
+
+  private turn(event: PointerEvent, scale: FloorScale, drag: NonNullable<FloorMap['drag']>): void {
+    drag.turns ||= Math.hypot(event.clientX - drag.x, event.clientY - drag.y) > kDrag_px;
+    if (drag.turns && operator.wished) operator.wish(turnedTo(operator.wished, ...this.pointed(event, scale)));
+  }
+
+  private pan(event: PointerEvent, scale: FloorScale, drag: NonNullable<FloorMap['drag']>): void {
     const perPixel = 1 / scale.pixels_per_metre;
     this.shift = [
-      this.shift[0] - (event.clientX - this.drag.x) * perPixel,
-      this.shift[1] + (event.clientY - this.drag.y) * perPixel,
+      this.shift[0] - (event.clientX - drag.x) * perPixel,
+      this.shift[1] + (event.clientY - drag.y) * perPixel,
     ];
-    this.drag = {x: event.clientX, y: event.clientY};
+    this.drag = {x: event.clientX, y: event.clientY, turns: false};
     this.requestUpdate();
   }
 }

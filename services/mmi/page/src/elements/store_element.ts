@@ -2,6 +2,8 @@ import {LitElement} from 'lit';
 import type {Change} from '../store.js';
 import {store} from '../session.js';
 
+const kAtOnce: Change[] = ['choice', 'picture', 'cursor', 'operate'];
+
 /** An element that is redrawn when what it shows has changed; it is styled by app.css. */
 export class StoreElement extends LitElement {
   /** ms between two redraws for what only comes along; what someone has chosen is drawn at once. */
@@ -31,7 +33,7 @@ export class StoreElement extends LitElement {
 
   private onChange(change: Change): void {
     if (!this.shows.includes(change)) return;
-    if (change === 'choice' || change === 'picture' || change === 'cursor') {
+    if (kAtOnce.includes(change)) {
       this.redraw();
       return;
     }
