@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/unit/task-manager/fake_robot.hpp"
 
 namespace markservo::task_manager {
@@ -23,9 +25,11 @@ TEST(DriveOnly, BringsTheRobotThereAndTakesNothing) {
   EXPECT_EQ(robot.reckless(), "");
 }
 
-TEST(DriveOnly, NeedsNoHandMarkAndNoTarget) {
+TEST(DriveOnly, NeedsNoTarget) {
   robot::RobotDescription description = default_robot();
-  description.marks.clear();
+  auto& marks = description.marks;
+  const auto is_target = [](const auto& mark) { return mark.role == robot::MarkRole::kTarget; };
+  marks.erase(std::remove_if(marks.begin(), marks.end(), is_target), marks.end());
   FakeRobot robot(description);
   robot.base_pose.y = 0.05;
   robot.send_drive_only(kDock);
