@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/unit/task-manager/fake_robot.hpp"
 
 namespace markservo::task_manager {
@@ -23,17 +21,6 @@ TEST(DriveOnly, BringsTheRobotThereAndTakesNothing) {
   EXPECT_NEAR(robot.way_of_base(), 1.0, 1e-6);
   EXPECT_FALSE(robot.drive_goal().drive);
   EXPECT_EQ(robot.reckless(), "");
-}
-
-TEST(DriveOnly, NeedsNoTarget) {
-  robot::RobotDescription description = default_robot();
-  auto& marks = description.marks;
-  const auto is_target = [](const auto& mark) { return mark.role == robot::MarkRole::kTarget; };
-  marks.erase(std::remove_if(marks.begin(), marks.end(), is_target), marks.end());
-  FakeRobot robot(description);
-  robot.base_pose.y = 0.05;
-  robot.send_drive_only(kDock);
-  EXPECT_TRUE(robot.run_until(Phase::kDone)) << robot.last().reason;
 }
 
 TEST(DriveOnly, IsRefusedAsAnyDriveIs) {
