@@ -131,7 +131,7 @@ std::string command_token(const std::string& path) {
   };
   const int made = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR);
   if (made >= 0) {
-    const std::string token = random_token();
+    std::string token = random_token();
     const std::string line = token + "\n";
     const bool written = ::write(made, line.data(), line.size()) == static_cast<ssize_t>(line.size());
     ::close(made);

@@ -1,5 +1,6 @@
 // The table of channels, what the services truly read and write, and what the pages say of it are one.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -156,8 +157,8 @@ TEST(ChannelsPage, HasARowForEachChannelAndNoOther) {
   for (const channels::Entry& entry : channels::kAll) {
     const std::string type = entry.type;
     const std::string moves = entry.moves_robot ? "moves" : entry.feeds_motion ? "feeds" : "";
-    const std::string row = std::string("| ") + entry.name + " | [" + type + "](" + type + ".lcm) | " + entry.what +
-                            " | " + second_text(entry.second) + " | " + moves + " |\n";
+    const std::string row = fmt::format("| {} | [{}]({}.lcm) | {} | {} | {} |\n", entry.name, type, type, entry.what,
+                                        second_text(entry.second), moves);
     EXPECT_NE(page.find(row), std::string::npos) << "lacks the row\n" << row;
   }
   const auto rows = std::count(page.begin(), page.end(), '\n');
