@@ -12,7 +12,7 @@
 
 #include "common/bus/options.hpp"
 #include "common/messages/motion_messages.hpp"
-#include "common/messages/state_codes.hpp"
+#include "common/messages/operator_messages.hpp"
 #include "common/motion/mover_watch.hpp"
 #include "common/robot/configuration_error.hpp"
 #include "common/robot/robot_description.hpp"
@@ -31,37 +31,6 @@ task::Action action_of(const std::string& text) {
       {"start", task::Action::kStart}, {"abort", task::Action::kAbort}, {"home", task::Action::kHome},
       {"drive", task::Action::kDrive}, {"stop", task::Action::kStop},   {"reset", task::Action::kReset}};
   return actions.at(text);
-}
-
-motion::CommandKind kind_of(task::Action action) {
-  switch (action) {
-    case task::Action::kStart:
-      return motion::CommandKind::kStart;
-    case task::Action::kHome:
-      return motion::CommandKind::kHome;
-    case task::Action::kDrive:
-      return motion::CommandKind::kDrive;
-    case task::Action::kAbort:
-      return motion::CommandKind::kAbort;
-    case task::Action::kReset:
-      return motion::CommandKind::kReset;
-    case task::Action::kStop:
-      break;
-  }
-  return motion::CommandKind::kStop;
-}
-
-std::int8_t message_kind_of(task::Action action) {
-  switch (action) {
-    case task::Action::kStart:
-      return TaskCommand::START;
-    case task::Action::kHome:
-      return TaskCommand::HOME;
-    case task::Action::kDrive:
-      return TaskCommand::DRIVE;
-    default:
-      return TaskCommand::ABORT;
-  }
 }
 
 // `what` is the option that has the place: x and y in m, heading in degrees.
@@ -163,22 +132,12 @@ void TaskOperatorNode::on_task_state(const TaskState& state) {
   if (heard == motion::StreamHeard::kSecond) dialogue_->observe_conflict(task_.words());
   messages::drop(motion::why_dropped(heard));
   sender_->observe_task_state(state.utime);
-  task::TaskReport report;
-  report.time = 1e-6 * static_cast<double>(state.utime);
-  if (state.command_session == bus_->session() && state.command_id == kRequest) {
-    report.answers = task::Answers::kUs;
-  } else if (state.command_session != 0) {
-    report.answers = task::Answers::kAnother;
-  }
-  report.phase = messages::state_of<task::Phase>(state.state);
-  report.attempt = state.attempt;
-  report.target = state.target;
-  report.reason = state.reason;
-  dialogue_->observe(report, steady_seconds());
+  const bool is_ours = state.command_session == bus_->session() && state.command_id == kRequest;
+  dialogue_->observe(messages::task_report(state, is_ours), steady_seconds());
 }
 
 void TaskOperatorNode::send() {
-  const auto utime = sender_->stamp(kind_of(wish_.action));
+  const auto utime = sender_->stamp(messages::command_kind(wish_.action));
   if (!utime) return;  // it would be refused; who has not spoken is told when patience ends
   if (wish_.action == task::Action::kStop || wish_.action == task::Action::kReset) {
     StopRequest request{};
@@ -195,7 +154,7 @@ void TaskOperatorNode::send() {
   command.utime = *utime;
   command.session = bus_->session();
   command.command_id = kRequest;
-  command.kind = message_kind_of(wish_.action);
+  command.kind = messages::task_command_kind(wish_.action);
   command.target = wish_.target;
   command.carry = wish_.carry ? 1 : 0;
   command.drive = wish_.drive.empty() ? 0 : 1;
@@ -222,7 +181,7 @@ void TaskOperatorNode::run(bus::Bus& bus) {
     return;
   } while (bus.poll(std::chrono::milliseconds(50)));
   exit_code_ = task::kExitInterrupted;
-  const std::int8_t kind = message_kind_of(wish_.action);
+  const std::int8_t kind = messages::task_command_kind(wish_.action);
   const bool lasts = kind != TaskCommand::ABORT;
   std::cerr << typed_.name_or("task-operator") << ": ended before the answer; "
             << (lasts ? "the task goes on: abort or stop ends it" : "what was asked may have been done") << std::endl;

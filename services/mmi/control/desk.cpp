@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "common/reflection/message_json.hpp"
-#include "services/mmi/control/secret.hpp"
+#include "services/mmi/server/secret.hpp"
 
 namespace markservo::mmi {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "services/mmi/server/secret.hpp"
+
 namespace markservo::mmi {
 namespace {
 
@@ -56,13 +58,7 @@ std::string RequestRules::refusal(const RequestHead& request, bool is_page) cons
 }
 
 bool RequestRules::admits(std::string_view given) const {
-  if (token.empty()) return true;
-  unsigned difference = given.size() == token.size() ? 0U : 1U;
-  for (std::size_t i = 0; i < token.size(); ++i) {
-    const char other = i < given.size() ? given[i] : '\0';
-    difference |= static_cast<unsigned>(static_cast<unsigned char>(token[i] ^ other));
-  }
-  return difference == 0;
+  return token.empty() || is_secret(given, token);
 }
 
 }  // namespace markservo::mmi
