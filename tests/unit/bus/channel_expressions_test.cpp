@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
+#include "common/channel_pattern/channel_pattern.hpp"
 
 namespace markservo::bus {
 namespace {
 
 bool matches(const std::string& channel, const std::string& expression) {
-  return std::regex_match(channel, std::regex(expression));
+  return ChannelPattern(expression).matches(channel);  // by GLib's expressions, as liblcm
 }
 
 TEST(ChannelExpression, MatchesOneChannelWhateverItIsCalled) {
