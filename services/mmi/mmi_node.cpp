@@ -18,8 +18,7 @@
 namespace markservo::mmi {
 namespace {
 
-// Pictures for ten browsers are made and sent beside what moves the robot: with it the time from a frame to its command
-// rises half as much.
+// Pictures for ten browsers are made and sent beside what moves the robot, which goes first.
 constexpr int kNice = 10;
 
 // Without stop devices nothing would ever have echoed: Stop would never end.

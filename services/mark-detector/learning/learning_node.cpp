@@ -68,20 +68,14 @@ void LearningNode::on_request(const LearnRequest& request) {
     return;
   }
   if (std::string why = objection_of_now(request); !why.empty()) {
-    if (!take_up(request)) return;
-    LearnResult result = answer_to(request);
-    result.reason = std::move(why);
-    return answer(std::move(result));
+    if (take_up(request)) reject(request, why);
+    return;
   }
   std::optional<std::vector<std::uint8_t>> left = picture_with(request);
   if (!left) return;
   if (waiting_.size() >= kWaitingMost) return refuse(request, "others wait already; allowed: once they are answered");
   if (!take_up(request)) return;
-  if (std::string why = objection_to_asker(request); !why.empty()) {
-    LearnResult result = answer_to(request);
-    result.reason = std::move(why);
-    return answer(std::move(result));
-  }
+  if (std::string why = objection_to_asker(request); !why.empty()) return reject(request, why);
   waiting_.push_back({request, std::move(*left)});
   begin();
 }
@@ -222,6 +216,13 @@ void LearningNode::refuse(const LearnRequest& request, const std::string& why) {
   LearnResult result = answer_to(request);
   result.reason = why;
   results_->publish(result);
+}
+
+// For good: what is repeated gets the same answer.
+void LearningNode::reject(const LearnRequest& request, const std::string& why) {
+  LearnResult result = answer_to(request);
+  result.reason = why;
+  answer(std::move(result));
 }
 
 void LearningNode::answer(LearnResult result) {

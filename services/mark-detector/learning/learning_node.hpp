@@ -80,6 +80,7 @@ class LearningNode {
   void save(LearnResult& result) const;
   void adopt_written(LearnResult& result) const;
   void refuse(const LearnRequest& request, const std::string& why);
+  void reject(const LearnRequest& request, const std::string& why);
   void answer(LearnResult result);
 
   bool may_save_ = false;

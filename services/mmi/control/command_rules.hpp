@@ -19,7 +19,6 @@ enum class Refusal {
   kUnknownTarget,
   kBusy
 };
-inline constexpr int kRefusals = 9;
 
 // "no_token", ...
 const char* name_of(Refusal refusal);
@@ -30,8 +29,6 @@ class CommandRules {
   static constexpr std::int64_t kLongestLife_us = 2'000'000;  // what is clicked is obeyed within it, or never
 
   explicit CommandRules(std::int64_t session) : session_(session) {}
-
-  std::int64_t session() const { return session_; }
 
   struct Verdict {
     bool good = true;

@@ -23,7 +23,7 @@ void CommandSenderNode::observe(const StopState& state) {
 
 void CommandSenderNode::observe(const TaskState& state) {
   const motion::StreamHeard heard = task_.hear(messages::stamp_of(state), 0);
-  desk_.observe_conflict(heard == motion::StreamHeard::kSecond ? task_.words() : "");
+  if (heard == motion::StreamHeard::kSecond) desk_.observe_conflict(task_.words(), steady_seconds());
   messages::drop(motion::why_dropped(heard));
   sender_.observe_task_state(state.utime);
   const std::int64_t ours = state.command_session == bus_->session() ? state.command_id : 0;

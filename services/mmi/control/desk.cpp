@@ -26,6 +26,10 @@ std::set<std::string> targets_of(const robot::RobotDescription& robot) {
   return targets;
 }
 
+bool moves(const Command& command) {
+  return command.action != task::Action::kAbort && command.action != task::Action::kReset;
+}
+
 const char* state_of(const task::Ending& ending) {
   if (ending.exit_code == task::kExitReached) return "done";
   return ending.exit_code == task::kExitNoAnswer ? "unanswered" : "failed";
@@ -77,8 +81,9 @@ void Desk::lease(std::int64_t session, bool on, bool take, double now) {
   }
 }
 
-bool Desk::moves(const Command& command) const {
-  return command.action != task::Action::kAbort && command.action != task::Action::kReset;
+bool Desk::waits_for(const Command& command, const Errand& errand) {
+  if (errand.dialogue.followed()) return false;
+  return errand.command.action == command.action || (moves(command) && moves(errand.command));
 }
 
 CommandRules::Verdict Desk::judge(const Client& client, const CommandStamp& stamp, const Command& command,
@@ -90,13 +95,8 @@ CommandRules::Verdict Desk::judge(const Client& client, const CommandStamp& stam
   if (command.action == task::Action::kStart && targets_.count(command.target) == 0) {
     return {false, Refusal::kUnknownTarget, "'" + command.target + "' is no target of the robot's description"};
   }
-  const auto same = [&command](const Errand& other) {
-    return other.command.action == command.action && !other.dialogue.followed();
-  };
-  const auto waits = [&](const Errand& other) {
-    return same(other) || (moves(command) && moves(other.command) && !other.dialogue.followed());
-  };
-  if (std::any_of(errands_.begin(), errands_.end(), waits)) {
+  const auto is_before = [&command](const Errand& errand) { return waits_for(command, errand); };
+  if (std::any_of(errands_.begin(), errands_.end(), is_before)) {
     return {false, Refusal::kBusy, "the command before it has not been answered yet"};
   }
   const std::string why = robot_.why_not(command.action, now);
@@ -116,7 +116,7 @@ void Desk::command(std::int64_t session, const CommandStamp& stamp, const Comman
   task::Parameters dialogue;
   dialogue.patience = parameters_.patience;
   Errand errand{session, stamp.seq, 0, command, task::Dialogue(command.action, stop_devices_, dialogue)};
-  errand.id = is_reset(errand) ? number_reset_() : ++commands_;
+  errand.id = errand.is_reset() ? number_reset_() : ++commands_;
   robot_.tell(errand.dialogue, now);
   errands_.push_back(std::move(errand));
 }
@@ -176,7 +176,7 @@ void Desk::observe(task::StopReport report, std::int64_t ours, bool asked, doubl
   report.answers_us = false;
   robot_.observe(report, asked, now);
   for (Errand& errand : errands_) {
-    report.answers_us = is_reset(errand) && errand.id == ours;
+    report.answers_us = errand.is_reset() && errand.id == ours;
     errand.dialogue.observe(report);
   }
 }
@@ -186,14 +186,13 @@ void Desk::observe(task::TaskReport report, std::int64_t ours, double now) {
   robot_.observe(report, now);
   const task::Answers others = report.answers;
   for (Errand& errand : errands_) {
-    report.answers = !is_reset(errand) && errand.id == ours ? task::Answers::kUs : others;
+    report.answers = !errand.is_reset() && errand.id == ours ? task::Answers::kUs : others;
     errand.dialogue.observe(report, now);
   }
 }
 
-void Desk::observe_conflict(const std::string& words) {
-  robot_.observe_conflict(words);
-  if (words.empty()) return;
+void Desk::observe_conflict(const std::string& words, double now) {
+  robot_.observe_conflict(words, now);
   for (Errand& errand : errands_) errand.dialogue.observe_conflict(words);
 }
 

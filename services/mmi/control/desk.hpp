@@ -63,8 +63,8 @@ class Desk {
   // `ours`: the request of ours that a device, or task-manager, has obeyed last; 0: none.
   void observe(task::StopReport report, std::int64_t ours, bool asked, double now);
   void observe(task::TaskReport report, std::int64_t ours, double now);
-  // Two write TASK_STATE, in words; empty: one does.
-  void observe_conflict(const std::string& words);
+  // Two write TASK_STATE, in words.
+  void observe_conflict(const std::string& words, double now);
 
   // To be called every 0.1 s or oftener.
   std::vector<CommandToSend> step(double now);
@@ -85,10 +85,12 @@ class Desk {
     Command command;
     task::Dialogue dialogue;
     bool sent = false;
+
+    bool is_reset() const { return command.action == task::Action::kReset; }
   };
 
-  bool is_reset(const Errand& errand) const { return errand.command.action == task::Action::kReset; }
-  bool moves(const Command& command) const;
+  // Whether the command must wait until `errand` is answered.
+  static bool waits_for(const Command& command, const Errand& errand);
   CommandRules::Verdict judge(const Client& client, const CommandStamp& stamp, const Command& command,
                               double now) const;
   void refuse(Client& client, std::int64_t seq, const CommandRules::Verdict& why);

@@ -2,15 +2,14 @@
 
 namespace markservo::mmi {
 
-std::string Lease::hold(std::int64_t client, bool take, double now) {
+void Lease::hold(std::int64_t client, bool take, double now) {
   const std::int64_t present = holder(now);
   if (present != client) {
-    if (present != 0 && !take) return "another operates; allowed: to take it over";
+    if (present != 0 && !take) return;
     holder_ = client;
     since_ = now;
   }
   heard_ = now;
-  return {};
 }
 
 void Lease::give_up(std::int64_t client) {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
 
 namespace markservo::mmi {
 
@@ -11,8 +9,8 @@ class Lease {
  public:
   static constexpr double kLasts = 5.0;  // s after the holder's last word, of one a second
 
-  // `client` wants to hold it, or to go on; `take`: also from another. Why not; empty when it holds it.
-  std::string hold(std::int64_t client, bool take, double now);
+  // `client` wants to hold it, or to go on; `take`: also from another, else another's stays.
+  void hold(std::int64_t client, bool take, double now);
   void give_up(std::int64_t client);
 
   // Whoever holds it at `now`; 0: nobody.

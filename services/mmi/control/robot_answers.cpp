@@ -1,6 +1,6 @@
 #include "services/mmi/control/robot_answers.hpp"
 
-#include <utility>
+#include "services/mmi/stop/device_silence.hpp"
 
 namespace markservo::mmi {
 namespace {
@@ -10,9 +10,8 @@ constexpr const char* kFromAPage = "page: ";
 
 }  // namespace
 
-RobotAnswers::RobotAnswers(std::vector<std::string> stop_devices, bool drives)
-    : stop_devices_(std::move(stop_devices)), drives_(drives) {
-  for (const std::string& device : stop_devices_) devices_[device];
+RobotAnswers::RobotAnswers(const std::vector<std::string>& stop_devices, bool drives) : drives_(drives) {
+  for (const std::string& device : stop_devices) devices_[device];
 }
 
 void RobotAnswers::observe(const task::StopReport& report, bool asked, double now) {
@@ -24,6 +23,11 @@ void RobotAnswers::observe(const task::StopReport& report, bool asked, double no
 void RobotAnswers::observe(const task::TaskReport& report, double now) {
   task_ = report;
   task_heard_ = now;
+}
+
+void RobotAnswers::observe_conflict(const std::string& words, double now) {
+  two_ = words;
+  two_heard_ = now;
 }
 
 void RobotAnswers::tell(task::Dialogue& dialogue, double now) const {
@@ -46,21 +50,21 @@ std::string RobotAnswers::why_not(task::Action action, double now) const {
 std::string RobotAnswers::silent_devices(double now) const {
   std::string names;
   for (const auto& [name, device] : devices_) {
-    if (device.report && now - device.heard <= kSilent) continue;
+    if (device.report && now - device.heard <= kDeviceSilence) continue;
     names += (names.empty() ? "" : ", ") + name;
   }
   return names;
 }
 
 bool RobotAnswers::task_is_silent(double now) const {
-  return !task_ || now - task_heard_ > kSilent;
+  return !task_ || now - task_heard_ > kDeviceSilence;
 }
 
 std::string RobotAnswers::why_no_motion(double now) const {
   for (const auto& [name, device] : devices_) {
     if (device.report->latched) return "stopped (" + name + ": " + device.report->reason + "): reset releases it";
   }
-  if (!two_.empty()) return two_ + ": end one of them, then reset";
+  if (!two_.empty() && now - two_heard_ <= kDeviceSilence) return two_ + ": end one of them, then reset";
   if (task_is_silent(now)) return "no TASK_STATE: do cameras, detector, locator, servo and task-manager run?";
   if (under_way(task_->phase)) return std::string("a task is under way (") + name_of(task_->phase) + "): abort ends it";
   return {};

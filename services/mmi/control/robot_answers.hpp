@@ -14,15 +14,14 @@ namespace markservo::mmi {
 
 class RobotAnswers {
  public:
-  static constexpr double kSilent = 2.5;  // s without a word, of 5 a second or more
-
   // `stop_devices` as in robot.yaml; `drives`: it has a base.
-  RobotAnswers(std::vector<std::string> stop_devices, bool drives);
+  RobotAnswers(const std::vector<std::string>& stop_devices, bool drives);
 
   // `asked`: its stop answers somebody's request, rather than being the state in which it came up.
   void observe(const task::StopReport& report, bool asked, double now);
   void observe(const task::TaskReport& report, double now);
-  void observe_conflict(const std::string& words) { two_ = words; }
+  // Two write TASK_STATE, in words; that holds until kDeviceSilence has passed without it.
+  void observe_conflict(const std::string& words, double now);
 
   // Tells a new dialogue what is known, so that it need not wait for the next words.
   void tell(task::Dialogue& dialogue, double now) const;
@@ -43,12 +42,12 @@ class RobotAnswers {
   std::string why_no_abort(double now) const;
   bool task_is_silent(double now) const;
 
-  std::vector<std::string> stop_devices_;
   bool drives_;
   std::map<std::string, Device> devices_;
   std::optional<task::TaskReport> task_;
   double task_heard_ = 0.0;
   std::string two_;
+  double two_heard_ = 0.0;
 };
 
 }  // namespace markservo::mmi

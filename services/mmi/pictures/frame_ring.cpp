@@ -35,6 +35,7 @@ void FrameRing::add(const reflection::Fields& fields, Bytes bytes, std::int64_t 
   frame->bytes = std::move(bytes);
   frames_.push_back(std::move(frame));
   if (frames_.size() > parameters_.frames) frames_.pop_front();
+  patience_ = patience_by_delays();
 }
 
 bool FrameRing::is_answer(std::string_view channel) {
@@ -54,17 +55,16 @@ void FrameRing::join(std::string_view channel, const reflection::Fields& fields,
   if (delays.size() > parameters_.delays) delays.pop_front();
 }
 
-double FrameRing::patience() const {
+double FrameRing::patience_by_delays() const {
   double slowest = 0.0;
   for (const auto& [channel, median] : delays()) slowest = std::max(slowest, median);
   return std::clamp(kSlack * slowest, parameters_.patience, parameters_.patience_max);
 }
 
 std::shared_ptr<const Frame> FrameRing::ready(double now) const {
-  const double patience = this->patience();
   const auto is_ready = [&](const std::shared_ptr<Frame>& frame) {
     const bool complete = std::all_of(frame->parts.begin(), frame->parts.end(), [](const Bytes& part) { return part; });
-    return complete || now - frame->heard >= patience;
+    return complete || now - frame->heard >= patience_;
   };
   const auto found = std::find_if(frames_.rbegin(), frames_.rend(), is_ready);
   return found == frames_.rend() ? nullptr : *found;

@@ -51,9 +51,6 @@ class FrameRing {
   // A message of such a channel.
   void join(std::string_view channel, const reflection::Fields& fields, const Bytes& bytes, std::int64_t at);
 
-  // How long the answers of a frame are waited for, s.
-  double patience() const;
-
   // The newest frame that has all of its answers, or has waited for them long enough; null: none.
   std::shared_ptr<const Frame> ready(double now) const;
   // That which arrived at `at` (us); null: it is not here.
@@ -64,9 +61,12 @@ class FrameRing {
   std::map<std::string, double> delays() const;
 
  private:
+  double patience_by_delays() const;
+
   Parameters parameters_;
   std::deque<std::shared_ptr<Frame>> frames_;
   std::map<std::string, std::deque<double>> delays_;
+  double patience_ = parameters_.patience;  // s, how long the answers of a frame are waited for
 };
 
 }  // namespace markservo::mmi

@@ -23,6 +23,7 @@
 
 #include "common/motion/command_sender.hpp"
 #include "common/task/dialogue.hpp"
+#include "services/mmi/stop/device_silence.hpp"
 
 namespace markservo::mmi {
 
@@ -30,8 +31,7 @@ struct StopParameters {
   double repeat = 0.2;   // s between two sendings: LCM may lose one
   double silent = 0.32;  // s after the request in which a device echoes (p99 0.2 s on a busy machine), or counts as
                          // silent: a person sees it 0.1 s later, and is to see it within 0.5 s
-  double gone = 2.5;  // s without a word, as StopTroubleParameters.silent, after which a device counts as silent while
-                      // nothing is asked
+  double gone = kDeviceSilence;  // s without a word, after which a device counts as silent while nothing is asked
   double clock_jump =
       1.0;  // s by which the devices' time must fall to have begun anew: words come late and out of order
 };

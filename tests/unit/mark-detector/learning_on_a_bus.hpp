@@ -22,7 +22,7 @@
 #include "services/mark-detector/learning/robot_file_edit.hpp"
 #include "services/mark-detector/mark_detector_node.hpp"
 #include "tests/unit/bus/memq_bus.hpp"
-#include "tests/unit/mark-detector/orange_frame.hpp"
+#include "tests/unit/mark-detector/book_frame.hpp"
 #include "tests/unit/mark-detector/request_pieces.hpp"
 #include "tests/unit/temporary_folder.hpp"
 

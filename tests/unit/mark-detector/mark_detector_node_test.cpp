@@ -20,6 +20,7 @@
 #include "common/robot/configuration_error.hpp"
 #include "services/mark-detector/picture/picture.hpp"
 #include "tests/unit/bus/memq_bus.hpp"
+#include "tests/unit/mark-detector/book_frame.hpp"
 #include "tests/unit/mark-detector/synthetic_scene.hpp"
 
 namespace markservo::mark_detector {
@@ -31,31 +32,7 @@ const std::string kRobotFile = std::string(MARKSERVO_SOURCE_DIR) + "/config/robo
 
 // A frame with the red book's mark at a disparity of 200 px.
 StereoFrame frame_at(std::int64_t utime, double u) {
-  const auto expose = [&](double column, unsigned seed) {
-    Picture picture(640, 480, kGrey);
-    picture.draw({column, 150.0, 78.0, 0.0, kRed, 0.1});
-    picture.expose(1.0, 3.0, seed);
-    const ImageView view = picture.view();
-    return std::vector<std::uint8_t>(view.bgr, view.row(view.height));
-  };
-  StereoFrame frame{};
-  frame.utime = utime;
-  frame.session = 77;
-  frame.seq = utime;
-  frame.calibration.fx = 784.0;
-  frame.calibration.fy = 784.0;
-  frame.calibration.cx_left = 319.5;
-  frame.calibration.cx_right = 319.5;
-  frame.calibration.cy = 239.5;
-  frame.calibration.baseline = 0.065;
-  frame.width = 640;
-  frame.height = 480;
-  frame.encoding = StereoFrame::ENCODING_BGR8;
-  frame.left = expose(u, static_cast<unsigned>(utime));
-  frame.right = expose(u - 200.0, static_cast<unsigned>(utime) + 1000);
-  frame.left_size = static_cast<std::int32_t>(frame.left.size());
-  frame.right_size = static_cast<std::int32_t>(frame.right.size());
-  return frame;
+  return book_frame(utime, u, kRed, static_cast<unsigned>(utime));
 }
 
 void encode(StereoFrame& frame) {

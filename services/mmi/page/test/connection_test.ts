@@ -142,17 +142,22 @@ test('a Stop that nobody answers has failed, and says so', async () => {
   assert.equal(connection.stopFate, 'sent');
 });
 
-test('without the token there is Stop and nothing else', async () => {
-  const connection = connected();
-  FakeSocket.newest.lose('another token');
-  await pause(20);
-  assert.equal(FakeSocket.all.length, 1);
+/** By hand: a socket is opened for it, on which nothing else is said. */
+function stopsAlone(connection: Connection): void {
   connection.stop('by hand');
   FakeSocket.newest.open();
   assert.deepEqual(
     FakeSocket.newest.sent.map((message) => message.type),
     ['stop'],
   );
+}
+
+test('without the token there is Stop and nothing else', async () => {
+  const connection = connected();
+  FakeSocket.newest.lose('another token');
+  await pause(20);
+  assert.equal(FakeSocket.all.length, 1);
+  stopsAlone(connection);
   assert.equal(connection.stopFate, 'sent');
 });
 
@@ -219,12 +224,7 @@ test('another protocol than ours is told in words, and leaves Stop', async () =>
   passes(10000);
   await pause(20);
   assert.equal(FakeSocket.all.length, 1);
-  connection.stop('by hand');
-  FakeSocket.newest.open();
-  assert.deepEqual(
-    FakeSocket.newest.sent.map((message) => message.type),
-    ['stop'],
-  );
+  stopsAlone(connection);
 });
 
 test('where mmi refuses our protocol it is not asked again', async () => {

@@ -1,18 +1,8 @@
 // Looks at a live page as an operator does: node test/live.mjs FOLDER ADDRESS COMMAND... where COMMAND starts the server.
 import {spawn} from 'node:child_process';
-import {chromium} from 'playwright-core';
+import {openChromium} from './chromium.mjs';
 
 const [folder, address, ...command] = process.argv.slice(2);
-const kFlags = [
-  '--headless',
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-  '--enable-unsafe-swiftshader',
-];
 const wait = (ms) => new Promise((done) => setTimeout(done, ms));
 const serve = () => spawn(command[0], command.slice(1), {stdio: ['ignore', 'inherit', 'inherit']});
 let bad = 0;
@@ -23,7 +13,7 @@ const check = (what, holds, seen = '') => {
 
 let server = serve();
 await wait(1500);
-const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags});
+const browser = await openChromium();
 const page = await browser.newPage({viewport: {width: 1280, height: 720}});
 page.on('pageerror', (error) => check('no error in the page', false, error.stack));
 page.on(

@@ -1,27 +1,17 @@
 // Takes pictures of the page and runs axe-core over it: node test/look.mjs ADDRESS FOLDER [VIEW...]
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
-import {chromium} from 'playwright-core';
+import {openChromium} from './chromium.mjs';
 
 const [address, folder, ...views] = process.argv.slice(2);
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const kFlags = [
-  '--headless',
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-  '--enable-unsafe-swiftshader',
-];
 const kShapes = [
   ['wide-light', 1280, 720, 'light'],
   ['wide-dark', 1280, 720, 'dark'],
   ['tablet-light', 1024, 768, 'light'],
 ];
 
-const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags});
+const browser = await openChromium();
 let bad = 0;
 for (const [name, width, height, colorScheme] of kShapes) {
   const page = await browser.newPage({viewport: {width, height}, colorScheme});

@@ -1,24 +1,14 @@
 // Commands the invented robot by mouse, touch and keyboard: node test/operate.mjs FOLDER ADDRESS, at a fake_server.mjs with
 // the word `commands`. Leaves pictures in FOLDER.
-import {chromium} from 'playwright-core';
+import {openChromium} from './chromium.mjs';
 
 const [folder, address] = process.argv.slice(2);
-const kFlags = [
-  '--headless',
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-  '--enable-unsafe-swiftshader',
-];
 let bad = 0;
 const check = (what, holds, seen = '') => {
   bad += holds ? 0 : 1;
   console.log(`${holds ? 'ok  ' : 'FAIL'} ${what} ${seen}`);
 };
-const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags});
+const browser = await openChromium();
 const context = await browser.newContext({viewport: {width: 1280, height: 720}, hasTouch: true});
 
 async function open(hash) {

@@ -1,18 +1,8 @@
 // Walks through a log's page by keyboard and looks at what is drawn: node test/walk.mjs ADDRESS FOLDER
-import {chromium} from 'playwright-core';
+import {openChromium} from './chromium.mjs';
 
 const [address, folder] = process.argv.slice(2);
-const kFlags = [
-  '--headless',
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-  '--enable-unsafe-swiftshader',
-];
-const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags});
+const browser = await openChromium();
 const page = await browser.newPage({viewport: {width: 1280, height: 720}});
 page.on(
   'console',

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "services/mmi/stop/device_silence.hpp"
 #include "services/mmi/troubles/finding.hpp"
 #include "services/mmi/troubles/known.hpp"
 #include "services/mmi/troubles/remedies.hpp"
@@ -13,7 +14,7 @@
 namespace markservo::mmi {
 
 struct StopTroubleParameters {
-  double silent = 2.5;      // s without STOP_STATE, 5 of which come a second; a loaded machine delays one by 1 to 2 s
+  double silent = kDeviceSilence;  // s without STOP_STATE
   double first_word = 5.0;  // s for its first, once something that would move it speaks: drivers start at the same time
   double expects = 3.0;     // s since such a service has spoken, of once a second, after which nothing is expected
 };
